@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+
+#include "firmware/can/messages.hpp"
+
+namespace surefoot::can {
+
+/// Judges the rolling counter of one identifier.
+class CounterWatch {
+ public:
+  /// @return kNone when the counter moved on (gaps are counted as lost frames), kRepeated when it did not
+  [[nodiscard]] Rejection step(std::uint8_t counter) noexcept;
+
+  /// Frames that never arrived, by the gaps in the counter.
+  [[nodiscard]] std::uint32_t lost() const noexcept { return lost_; }
+
+ private:
+  std::uint32_t lost_ = 0;
+  std::uint8_t last_ = 0;
+  bool was_heard_ = false;
+};
+
+}  // namespace surefoot::can

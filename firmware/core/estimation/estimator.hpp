@@ -1,0 +1,42 @@
+#pragma once
+
+#include "firmware/core/geometry/robot_geometry.hpp"
+#include "firmware/core/sensor_snapshot.hpp"
+
+namespace surefoot::estimation {
+
+/// Filters as time constants, so that another tick rate keeps the same filter.
+/// Source: El-Kahlout 2003, (3.7) with lambda 5e-3 and (3.18) with 5e-4, both at 0.5 ms.
+struct EstimatorConfig {
+  double force_time_constant_s = 0.09975;
+  double zmp_time_constant_s = 0.99975;
+  double min_force_for_zmp_n = 50.0;  ///< below it the ZMP keeps its last value: nobody stands
+};
+
+/// Everything that lives between two ticks.
+struct EstimatorState {
+  double filtered_force_n = 0.0;
+  double zmp_x_body_m = 0.0;
+  double zmp_y_body_m = 0.0;
+  double filtered_zmp_x_body_m = 0.0;
+  bool has_force = false;  ///< first valid force seen; the force filter starts there, not at zero
+  bool has_zmp = false;    ///< first valid ZMP seen
+};
+
+/// What the sensors say about the robot as a whole.
+struct Estimate {
+  double vertical_force_n = 0.0;        ///< fs: sum of the eight corner forces
+  double filtered_force_n = 0.0;        ///< (3.7)
+  double zmp_x_body_m = 0.0;            ///< from the eight corner forces at the measured joint angles
+  double zmp_y_body_m = 0.0;
+  double filtered_zmp_x_body_m = 0.0;   ///< (3.18) with the raw ZMP in its last term
+  PerSide<double> foot_force_n{};
+};
+
+/// One tick of estimation. Non-finite inputs cannot occur: the codec refuses them.
+///
+/// @param period_s  time since the last call, > 0
+[[nodiscard]] Estimate step(const EstimatorConfig&, const geometry::RobotGeometry&, EstimatorState&,
+                            const SensorSnapshot&, double period_s) noexcept;
+
+}  // namespace surefoot::estimation

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+
+namespace surefoot::safety {
+
+/// Numbered faults of the controller; the first one latches. Each has a paragraph in
+/// firmware/FAULTS.md: cause, check, cure.
+enum class Fault : std::uint8_t {
+  kNone = 0,
+  kSensorSilent = 1,      ///< a node did not answer for longer than the ride-through
+  kTorqueNotFinite = 2,   ///< the servo asked for NaN or infinity
+  kJointOutOfRange = 3,   ///< a measured joint angle stands outside its mechanical range
+  kJointOverspeed = 4,    ///< a measured joint rate is beyond what the robot can do unharmed
+};
+
+/// Name as it appears in logs, e.g. "sensor_silent".
+[[nodiscard]] const char* name(Fault fault) noexcept;
+
+}  // namespace surefoot::safety

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "firmware/core/leg_command.hpp"
+#include "firmware/core/safety/fault.hpp"
+#include "firmware/core/sensor_snapshot.hpp"
+
+namespace surefoot::safety {
+
+/// Limits that hold whatever the rooms above ask for.
+struct OutputGateConfig {
+  double torque_limit_nm = 200.0;           ///< per joint, > 0
+  double torque_rate_limit_nm_s = 2.0e5;    ///< per joint, > 0; full reversal in two ticks
+  double joint_rate_limit_rad_s = 25.0;
+  LegVector angle_min_rad{-0.8, -0.8, -2.0, -0.02, -1.5, -0.8};
+  LegVector angle_max_rad{0.8, 0.8, 1.0, 2.6, 1.5, 0.8};
+  std::uint32_t ride_through_ticks = 10;    ///< a node may be silent this long before the fault latches
+};
+
+/// Everything that lives between two ticks.
+struct OutputGateState {
+  PerSide<LegVector> last_torque_nm{};
+  Fault latched = Fault::kNone;
+};
+
+/// What goes to the leg boards. Until a fault latches: the wanted torque, limited in rate and size.
+/// While a node rides through, the last torques are held. After a latched fault: mode kDamp and
+/// zero torque, until the gate is reset. Independent of everything that stands above it.
+[[nodiscard]] PerSide<LegCommand> step(const OutputGateConfig&, OutputGateState&, const PerSide<LegVector>& wanted_nm,
+                                       const SensorSnapshot&, double period_s) noexcept;
+
+}  // namespace surefoot::safety

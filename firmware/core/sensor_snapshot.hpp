@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "firmware/core/geometry/robot_geometry.hpp"
+#include "firmware/core/joints.hpp"
+
+namespace surefoot {
+
+/// Age of one node's values. A node that has never been heard is at `kNeverHeard`.
+struct Freshness {
+  static constexpr std::uint32_t kNeverHeard = 0xFFFF'FFFFU;
+
+  std::uint32_t age_ticks = kNeverHeard;  ///< 0: the values answer this tick's SYNC
+
+  [[nodiscard]] bool is_fresh() const noexcept { return age_ticks == 0; }
+  [[nodiscard]] bool was_heard() const noexcept { return age_ticks != kNeverHeard; }
+};
+
+/// What one leg board reports of its six joints.
+struct LegSensors {
+  LegVector angle_rad{};
+  LegVector rate_rad_s{};
+  LegVector torque_nm{};  ///< applied by the motors, after the board's own limits
+  Freshness freshness;
+};
+
+/// What one foot node reports: the normal force at each corner, compressive positive, foot frame.
+struct FootSensors {
+  std::array<double, geometry::kCornersPerFoot> corner_force_n{};
+  Freshness freshness;
+};
+
+/// What the torso IMU reports, body frame.
+struct ImuSensors {
+  geometry::Vector3 angular_rate_body_rad_s = geometry::Vector3::Zero();
+  geometry::Vector3 specific_force_body_m_s2 = geometry::Vector3::Zero();  ///< +g on z at rest
+  Freshness freshness;
+};
+
+/// Everything the controller may know of the robot in one tick. Each value has passed the
+/// end-to-end check and the physical range check; a node that did not answer keeps its last
+/// values and ages.
+struct SensorSnapshot {
+  std::uint32_t tick = 0;
+  PerSide<LegSensors> leg{};
+  PerSide<FootSensors> foot{};
+  ImuSensors torso{};
+};
+
+}  // namespace surefoot

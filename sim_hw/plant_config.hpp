@@ -1,0 +1,89 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "firmware/core/geometry/robot_geometry.hpp"
+
+namespace surefoot::sim_hw {
+
+/// Masses of the robot; the firmware never sees them.
+/// Source: El-Kahlout 2003 prints trunk and leg masses and the trunk's size; the split of a leg and
+/// the box shapes of its links are assumptions.
+struct MassConfig {
+  double trunk_kg = 50.0;
+  std::array<double, 3> trunk_size_m{0.2, 0.4, 0.5};          ///< L x W x H
+  std::array<double, 3> trunk_com_body_m{-0.05, 0.0, 0.25};   ///< s
+  double thigh_kg = 9.5;
+  double calf_kg = 0.5;
+  double foot_kg = 5.0;
+};
+
+/// Geared joint drives. The rotor's inertia behind the gear is what keeps stiff sampled joints stable.
+struct DriveConfig {
+  double rotor_inertia_kg_m2 = 0.4;              ///< reflected to the joint
+  double hip_knee_friction_nm_s_per_rad = 10.0;  ///< viscous
+  double ankle_friction_nm_s_per_rad = 20.0;     ///< viscous
+  double torque_limit_nm = 200.0;
+};
+
+/// What carries the robot.
+enum class ContactModel : std::uint8_t {
+  kSpringDamper,  ///< four spring-dampers with anchored friction at the corners of each sole
+  kBullet,        ///< Bullet's contact solver on four small spheres a sole, to contradict the other
+};
+
+/// Floor and soles. Stiffness and damping are per corner.
+struct ContactConfig {
+  ContactModel model = ContactModel::kSpringDamper;
+  double friction = 0.7;
+  double normal_stiffness_n_per_m = 6.0e5;
+  double normal_damping_n_s_per_m = 3000.0;
+  double tangential_stiffness_n_per_m = 1.0e4;
+  double tangential_damping_n_s_per_m = 1500.0;
+};
+
+/// Sensors of the nodes: resolution, noise (standard deviation) and range, in physical units.
+struct SensorConfig {
+  double encoder_resolution_rad = 1.0e-5;
+  double encoder_noise_rad = 0.0;
+  double joint_rate_noise_rad_s = 0.0;
+  double force_resolution_n = 0.1;
+  double force_noise_n = 0.0;
+  double gyro_noise_rad_s = 0.0;
+  double accelerometer_noise_m_s2 = 0.0;
+};
+
+/// How the trunk's inertia follows a payload.
+enum class PayloadInertia : std::uint8_t {
+  kThesis,  ///< scaled with mass, eq. (3.8)
+  kExact,   ///< trunk and box about their common centre of mass (parallel axes)
+};
+
+/// A box hung on the trunk at one instant, eqs. (3.8)-(3.10), without velocity jump.
+struct PayloadConfig {
+  double mass_kg = 5.0;
+  double at_s = 1.2;                                       ///< on the scenario's clock
+  std::array<double, 3> position_m{0.20, 0.0, 0.25};       ///< its centre of mass, body frame
+  double edge_m = 0.2;                                     ///< cube
+  PayloadInertia inertia = PayloadInertia::kThesis;
+};
+
+/// The robot that is not there: everything the simulator knows and the firmware does not.
+struct SimConfig {
+  geometry::RobotGeometry geometry{};
+  MassConfig mass{};
+  DriveConfig drive{};
+  ContactConfig contact{};
+  SensorConfig sensor{};
+  std::vector<PayloadConfig> payloads{};
+  double control_period_s = 1.0e-3;   ///< world time between two SYNC frames in lockstep
+  double physics_step_s = 5.0e-4;     ///< divides the control period
+  double command_latency_s = 1.0e-3;  ///< from the tick's start to its torques at the motors: bus and computing
+  double watchdog_s = 0.02;           ///< leg boards damp when no torque frame came for this long
+  double time_zero_s = 0.0;           ///< world time at which the scenario's clock reads 0
+  std::uint64_t seed = 1;
+};
+
+}  // namespace surefoot::sim_hw

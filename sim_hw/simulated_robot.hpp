@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+
+#include "firmware/can/can_bus.hpp"
+#include "sim_hw/ground_truth.hpp"
+#include "sim_hw/plant_config.hpp"
+
+namespace surefoot::sim_hw {
+
+/// The simulated robot as the firmware meets it: five nodes on a CAN bus.
+/// Fresh world for each object, no global state; many may live in one process, on many threads.
+class SimulatedRobot {
+ public:
+  /// @param initial_angle_rad  joint angles at the start; the soles stand on the floor
+  /// @throws std::invalid_argument with the remedy when the configuration is impossible
+  SimulatedRobot(const SimConfig& config, const PerSide<LegVector>& initial_angle_rad);
+  ~SimulatedRobot();
+  SimulatedRobot(const SimulatedRobot&) = delete;
+  SimulatedRobot& operator=(const SimulatedRobot&) = delete;
+
+  /// Serves the bus once: takes all waiting frames; answers SYNC with the latched state of each
+  /// node; takes torques; advances the world by one control period when both torque frames of the
+  /// tick have arrived. Does not allocate.
+  void serve(can::CanBus& bus) noexcept;
+
+  /// State at the end of the last period.
+  [[nodiscard]] const GroundTruth& truth() const noexcept;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace surefoot::sim_hw

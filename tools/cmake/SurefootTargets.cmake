@@ -1,0 +1,56 @@
+# One function for a room, one for its tests: the same warnings and sanitizers everywhere.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_C_STANDARD 99)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+# -O2 and no contraction: the same source gives the same bits on every x86-64 and, later, Cortex-M7.
+set(CMAKE_CXX_FLAGS_RELEASE "-O2")
+set(CMAKE_C_FLAGS_RELEASE "-O2")
+find_program(CCACHE ccache)
+if(CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+  set(CMAKE_C_COMPILER_LAUNCHER ${CCACHE})
+endif()
+
+function(surefoot_options target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_include_directories(${target} PUBLIC ${CMAKE_SOURCE_DIR})
+  target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wshadow -Wconversion -Wsign-conversion
+                                           $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor> -Werror)
+  if(SUREFOOT_SANITIZE)
+    target_compile_options(${target} PUBLIC -fsanitize=${SUREFOOT_SANITIZE} -fno-omit-frame-pointer
+                                            -fno-sanitize-recover=all)
+    target_link_options(${target} PUBLIC -fsanitize=${SUREFOOT_SANITIZE})
+  endif()
+endfunction()
+
+# surefoot_room(NAME): a static library of all sources below the current folder.
+function(surefoot_room target)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp *.c)
+  list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
+  add_library(${target} STATIC ${sources})
+  surefoot_options(${target})
+endfunction()
+
+# surefoot_test(NAME LABELS ... LIBRARIES ...): one GoogleTest program of all *_test.cpp of the current folder.
+function(surefoot_test target)
+  cmake_parse_arguments(ARG "" "TIMEOUT" "LABELS;LIBRARIES" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  add_executable(${target} ${sources})
+  surefoot_options(${target})
+  target_link_libraries(${target} PRIVATE ${ARG_LIBRARIES} GTest::gtest GTest::gmock GTest::gtest_main)
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 300)
+  endif()
+  # LCM stays on this machine's loopback, or nowhere.
+  gtest_discover_tests(${target} DISCOVERY_TIMEOUT 60
+                       PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT})
+endfunction()
