@@ -9,21 +9,21 @@ namespace surefoot::sim_hw {
 
 /// What really happened in the last period; for logs and verdicts, never for the firmware.
 struct GroundTruth {
-  double time_s = 0.0;                       ///< scenario clock; 0 is the begin of the first scored gait cycle
-  std::array<double, 3> body_position_world_m{};   ///< origin of the body frame
+  double time_s = 0.0;                            ///< scenario clock; 0 is the begin of the first scored gait cycle
+  std::array<double, 3> body_position_world_m{};  ///< origin of the body frame
   std::array<double, 3> body_velocity_world_m_s{};
-  double roll_rad = 0.0;                     ///< about x, of the body frame, rotation z-y-x
-  double pitch_rad = 0.0;                    ///< about y, positive leaning forward (beta in the thesis)
+  double roll_rad = 0.0;   ///< about x, of the body frame, rotation z-y-x
+  double pitch_rad = 0.0;  ///< about y, positive leaning forward (beta in the thesis)
   double yaw_rad = 0.0;
   std::array<double, 3> body_rate_body_rad_s{};
   PerSide<std::array<double, 4>> corner_force_n{};  ///< normal, mean over the period
   PerSide<LegVector> angle_rad{};
   PerSide<LegVector> rate_rad_s{};
-  PerSide<LegVector> torque_nm{};            ///< applied by the motors at the end of the period
-  double zmp_x_body_m = 0.0;                 ///< from the contact forces
-  double payload_kg = 0.0;                   ///< hung on so far
-  double slip_m = 0.0;                       ///< running total: mean tangential travel of the soles, weighted with the share of load
-  bool has_fallen = false;                   ///< latched: the body is below half its height or tilted by more than 45 degrees
+  PerSide<LegVector> torque_nm{};  ///< applied by the motors at the end of the period
+  double zmp_x_body_m = 0.0;       ///< from the contact forces
+  double payload_kg = 0.0;         ///< hung on so far
+  double slip_m = 0.0;      ///< running total: mean tangential travel of the soles, weighted with the share of load
+  bool has_fallen = false;  ///< latched: the body is below half its height or tilted by more than 45 degrees
 };
 
 }  // namespace surefoot::sim_hw

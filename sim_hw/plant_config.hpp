@@ -13,11 +13,12 @@ namespace surefoot::sim_hw {
 /// the box shapes of its links are assumptions.
 struct MassConfig {
   double trunk_kg = 50.0;
-  std::array<double, 3> trunk_size_m{0.2, 0.4, 0.5};          ///< L x W x H
-  std::array<double, 3> trunk_com_body_m{-0.05, 0.0, 0.25};   ///< s
+  std::array<double, 3> trunk_size_m{0.2, 0.4, 0.5};         ///< L x W x H
+  std::array<double, 3> trunk_com_body_m{-0.05, 0.0, 0.25};  ///< s
   double thigh_kg = 9.5;
   double calf_kg = 0.5;
   double foot_kg = 5.0;
+  double foot_com_x_foot_m = 0.02;  ///< ahead of the ankle; with the hip's place it sets the standing ZMP (-0.0344 m)
 };
 
 /// Geared joint drives. The rotor's inertia behind the gear is what keeps stiff sampled joints stable.
@@ -64,9 +65,9 @@ enum class PayloadInertia : std::uint8_t {
 /// A box hung on the trunk at one instant, eqs. (3.8)-(3.10), without velocity jump.
 struct PayloadConfig {
   double mass_kg = 5.0;
-  double at_s = 1.2;                                       ///< on the scenario's clock
-  std::array<double, 3> position_m{0.20, 0.0, 0.25};       ///< its centre of mass, body frame
-  double edge_m = 0.2;                                     ///< cube
+  double at_s = 1.2;                                  ///< on the scenario's clock
+  std::array<double, 3> position_m{0.20, 0.0, 0.25};  ///< its centre of mass, body frame
+  double edge_m = 0.2;                                ///< cube
   PayloadInertia inertia = PayloadInertia::kThesis;
 };
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <memory>
 
 #include "firmware/can/can_bus.hpp"
@@ -7,6 +9,14 @@
 #include "sim_hw/plant_config.hpp"
 
 namespace surefoot::sim_hw {
+
+/// Running totals of the robot's side of the bus.
+struct NodeCounters {
+  std::uint64_t sent = 0;
+  std::uint64_t refused_by_bus = 0;         ///< the bus did not take them
+  std::uint64_t received = 0;               ///< accepted
+  std::array<std::uint64_t, 7> rejected{};  ///< by `can::Rejection`
+};
 
 /// The simulated robot as the firmware meets it: five nodes on a CAN bus.
 /// Fresh world for each object, no global state; many may live in one process, on many threads.
@@ -21,11 +31,15 @@ class SimulatedRobot {
 
   /// Serves the bus once: takes all waiting frames; answers SYNC with the latched state of each
   /// node; takes torques; advances the world by one control period when both torque frames of the
-  /// tick have arrived. Does not allocate.
+  /// tick have arrived. A tick whose torque frames or SYNC were lost is made up for at the next
+  /// SYNC, so that the world keeps the controller's count. Does not allocate (with the contact
+  /// model `kSpringDamper`).
   void serve(can::CanBus& bus) noexcept;
 
   /// State at the end of the last period.
   [[nodiscard]] const GroundTruth& truth() const noexcept;
+
+  [[nodiscard]] NodeCounters counters() const noexcept;
 
  private:
   struct Parts;

@@ -6,13 +6,15 @@
 
 namespace surefoot::can {
 
-/// Judges the rolling counter of one identifier.
+/// Judges the rolling counter of one identifier. Show it only frames that are intact and of the running
+/// tick: an old frame played back would otherwise move the counter and hide the true one.
 class CounterWatch {
  public:
   /// @return kNone when the counter moved on (gaps are counted as lost frames), kRepeated when it did not
   [[nodiscard]] Rejection step(std::uint8_t counter) noexcept;
 
-  /// Frames that never arrived, by the gaps in the counter.
+  /// Frames missing among those shown, by the gaps in the counter; an outage of more than 255 frames
+  /// counts modulo 256.
   [[nodiscard]] std::uint32_t lost() const noexcept { return lost_; }
 
  private:

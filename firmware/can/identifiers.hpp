@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "firmware/core/joints.hpp"
@@ -15,6 +16,10 @@ enum class Node : std::uint8_t {
   kTorsoImu = 5,
   kController = 0x7F,
 };
+
+/// Every node on the bus.
+inline constexpr std::array kNodes{Node::kLegRight, Node::kLegLeft,  Node::kFootRight,
+                                   Node::kFootLeft, Node::kTorsoImu, Node::kController};
 
 inline constexpr std::uint16_t kSyncIdentifier = 0x080;
 

@@ -12,7 +12,7 @@ namespace surefoot::can {
 /// Why a frame was refused; each cause has a counter in `FrameCounters`.
 enum class Rejection : std::uint8_t {
   kNone,
-  kUnknownIdentifier,
+  kUnknownIdentifier,  ///< none of this kind of frame, or one that only the receiver itself may send
   kWrongLength,
   kWrongCrc,
   kRepeated,     ///< rolling counter did not move: a duplicate or a replay
@@ -22,8 +22,8 @@ enum class Rejection : std::uint8_t {
 
 /// What every protected frame carries beside its values.
 struct FrameStamp {
-  std::uint32_t tick = 0;      ///< SYNC: 32 bits; other frames carry the low 16 bits
-  std::uint8_t counter = 0;    ///< rolling, one up for each frame of this identifier
+  std::uint32_t tick = 0;    ///< SYNC: 32 bits; other frames carry the low 16 bits
+  std::uint8_t counter = 0;  ///< rolling, one up for each frame of this identifier
 };
 
 /// Status bits of a leg board.
@@ -61,7 +61,7 @@ struct Emergency {
 [[nodiscard]] CanFrame encode_heartbeat(Node, FrameStamp, Heartbeat) noexcept;
 [[nodiscard]] CanFrame encode_emergency(Node, FrameStamp, Emergency) noexcept;
 
-/// Decoders: check length, CRC and physical ranges, in this order; on a rejection the outputs are
+/// Decoders: check identifier, length, CRC and physical ranges, in this order; on a rejection the outputs are
 /// untouched. Rolling counter and tick are the receiver's to judge (`CounterWatch`): they need memory.
 /// `Freshness` is left alone.
 [[nodiscard]] Rejection decode_sync(const CanFrame&, FrameStamp&) noexcept;

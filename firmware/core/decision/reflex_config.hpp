@@ -2,6 +2,9 @@
 
 #include <cstdint>
 
+#include "firmware/core/gait/motion_profile.hpp"
+#include "firmware/core/gait/step_restoration.hpp"
+
 namespace surefoot::decision {
 
 /// Which reflex answers a payload.
@@ -12,36 +15,32 @@ enum class ReflexMethod : std::uint8_t {
 };
 
 /// How the feet move into the reflex stance and through the x shift.
-enum class ReflexProfile : std::uint8_t {
-  kRamp,     ///< straight line, eqs. (3.11)-(3.16), (3.21); velocity jumps at both ends; as the tables were made
-  kQuintic,  ///< same duration, starts with the gait's position, velocity and acceleration, ends at rest
-};
+using ReflexProfile = gait::MotionProfile;
 
 /// Law for the duration of the restoring step.
-enum class RestorationTiming : std::uint8_t {
-  kAcosFactor,     ///< t_ss acos(f) / pi, eq. (3.24), as the thesis ran it
-  kNominalCosine,  ///< t_ss acos(1 - 2 f) / pi, the time the nominal cosine needs for that distance
-};
+using gait::RestorationTiming;
 
 /// The payload reflex. Source: El-Kahlout 2003, sections 3.3 and 4.3.
 struct ReflexConfig {
   ReflexMethod method = ReflexMethod::kOriginal;
-  bool mirrored = true;  ///< apply (3.17) mirrored when the right foot swings, so that t and t + T/2 agree; false: literal
+  bool mirrored = true;  ///< apply (3.17) mirrored in the right foot's half of the cycle, so that t and t + T/2 agree;
+                         ///< false: literal
   ReflexProfile profile = ReflexProfile::kRamp;
   RestorationTiming timing = RestorationTiming::kAcosFactor;
-  double reflex_s = 0.1;          ///< t_refl, > 0
-  double settling_s = 2.0;        ///< t_set, > 0; the modified method uses 4
-  double shift_s = 0.5;           ///< t_x, > 0
-  double foot_offset_m = 0.01;    ///< |x_refl|
-  double standing_s = 3.0;        ///< feet side by side before the first step
-  double max_shift_m = 0.12;      ///< bound on the adaptation a, a guard against a broken ZMP
+  double reflex_s = 0.1;            ///< t_refl, > 0
+  double settling_s = 2.0;          ///< t_set, > 0; the modified method uses 4
+  double shift_s = 0.5;             ///< t_x, > 0
+  double foot_offset_m = 0.01;      ///< |x_refl|
+  double standing_s = 3.0;          ///< feet side by side before the first step, > 0
+  double max_shift_m = 0.12;        ///< bound on one adaptation a, a guard against a broken ZMP
+  double balance_offset_m = 0.005;  ///< the balance ZMP is the measured standing ZMP less this
 };
 
 /// The payload detector. The threshold is learned, never given: the thesis does not print it.
 struct PayloadDetectorConfig {
-  double warm_up_s = 2.4;          ///< walking time before learning starts: the start-up transient, half a cycle
-  double learning_s = 4.8;         ///< at least one whole gait cycle
-  double margin_n = 3.0;           ///< added to the largest filtered force seen while learning
+  double warm_up_s = 2.4;   ///< walking time before learning starts: the start-up transient, half a cycle
+  double learning_s = 4.8;  ///< at least one whole gait cycle
+  double margin_n = 3.0;    ///< added to the largest filtered force seen while learning
 };
 
 }  // namespace surefoot::decision

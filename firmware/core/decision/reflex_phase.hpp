@@ -46,14 +46,13 @@ inline constexpr std::array kReflexEdges{
     Edge{ReflexPhase::kResting, ReflexEvent::kRested, ReflexPhase::kWalking},
 };
 
-inline constexpr std::array kReflexPhases{ReflexPhase::kStanding, ReflexPhase::kWalking,   ReflexPhase::kReflex,
-                                          ReflexPhase::kSettling, ReflexPhase::kShifting,  ReflexPhase::kRestoring,
+inline constexpr std::array kReflexPhases{ReflexPhase::kStanding, ReflexPhase::kWalking,  ReflexPhase::kReflex,
+                                          ReflexPhase::kSettling, ReflexPhase::kShifting, ReflexPhase::kRestoring,
                                           ReflexPhase::kResting};
 
-inline constexpr std::array kReflexEvents{ReflexEvent::kStandingDone, ReflexEvent::kPayloadDetected,
-                                          ReflexEvent::kReflexDone,   ReflexEvent::kSettled,
-                                          ReflexEvent::kShifted,      ReflexEvent::kRestored,
-                                          ReflexEvent::kRested};
+inline constexpr std::array kReflexEvents{
+    ReflexEvent::kStandingDone, ReflexEvent::kPayloadDetected, ReflexEvent::kReflexDone, ReflexEvent::kSettled,
+    ReflexEvent::kShifted,      ReflexEvent::kRestored,        ReflexEvent::kRested};
 
 /// The phase after `event` in `phase`, or nothing when the pair is illegal.
 [[nodiscard]] std::optional<ReflexPhase> next_phase(ReflexPhase phase, ReflexEvent event) noexcept;

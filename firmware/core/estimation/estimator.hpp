@@ -19,21 +19,27 @@ struct EstimatorState {
   double zmp_x_body_m = 0.0;
   double zmp_y_body_m = 0.0;
   double filtered_zmp_x_body_m = 0.0;
-  bool has_force = false;  ///< first valid force seen; the force filter starts there, not at zero
-  bool has_zmp = false;    ///< first valid ZMP seen
+  bool has_force = false;        ///< first valid force seen; the force filter starts there, not at zero
+  bool has_zmp = false;          ///< first valid ZMP seen
+  double factor_period_s = 0.0;  ///< period that the two factors below were computed for
+  double force_factor = 0.0;     ///< lambda of (3.7): 1 - exp(-period / time constant)
+  double zmp_factor = 0.0;       ///< lambda of (3.18)
 };
 
 /// What the sensors say about the robot as a whole.
 struct Estimate {
-  double vertical_force_n = 0.0;        ///< fs: sum of the eight corner forces
-  double filtered_force_n = 0.0;        ///< (3.7)
-  double zmp_x_body_m = 0.0;            ///< from the eight corner forces at the measured joint angles
+  double vertical_force_n = 0.0;  ///< fs: sum of the eight corner forces
+  double filtered_force_n = 0.0;  ///< (3.7)
+  double zmp_x_body_m = 0.0;      ///< from the eight corner forces at the measured joint angles
   double zmp_y_body_m = 0.0;
-  double filtered_zmp_x_body_m = 0.0;   ///< (3.18) with the raw ZMP in its last term
+  double filtered_zmp_x_body_m = 0.0;  ///< (3.18) with the raw ZMP in its last term
   PerSide<double> foot_force_n{};
 };
 
 /// One tick of estimation. Non-finite inputs cannot occur: the codec refuses them.
+///
+/// The forces are those of the snapshot, which keeps a silent node's last values. Filters and ZMP
+/// move only on values of this tick (both feet, for the ZMP both legs too); otherwise they hold.
 ///
 /// @param period_s  time since the last call, > 0
 [[nodiscard]] Estimate step(const EstimatorConfig&, const geometry::RobotGeometry&, EstimatorState&,

@@ -2,10 +2,11 @@
 
 #include "firmware/core/foot_reference.hpp"
 #include "firmware/core/gait/walk_parameters.hpp"
+#include "firmware/core/joints.hpp"
 
 namespace surefoot::gait {
 
-/// Nominal foot paths with their analytic velocities.
+/// Nominal foot paths with their analytic velocities and accelerations.
 /// Source: El-Kahlout 2003, eqs. (3.1)-(3.6); (3.6) with its phase origin at t_ds/2, without which
 /// the left foot jumps by 18.34 mm at lift-off.
 ///
@@ -25,5 +26,15 @@ namespace surefoot::gait {
 
 /// True where the phase has both feet on the ground.
 [[nodiscard]] bool is_double_support(const WalkParameters&, double phase_s) noexcept;
+
+/// Where a phase lies in its half of the cycle. The halves mirror each other: the left foot swings in
+/// the first one while the body sways over the right foot, the right foot swings in the second one.
+struct HalfCycle {
+  Side swing = Side::kLeft;  ///< the foot that swings in this half; the other one stands
+  double time_s = 0.0;       ///< since the half began, in [0, t_ss + t_ds)
+};
+
+/// @param phase_s  any finite value, taken modulo the cycle; a nanosecond early counts as the next half
+[[nodiscard]] HalfCycle half_cycle(const WalkParameters&, double phase_s) noexcept;
 
 }  // namespace surefoot::gait

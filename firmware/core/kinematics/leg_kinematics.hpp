@@ -16,18 +16,20 @@ struct FootPose {
 [[nodiscard]] FootPose forward(const geometry::RobotGeometry&, Side, const LegVector& angle_rad) noexcept;
 
 /// Joint angles for a foot pose, closed form (three intersecting hip axes, two ankle axes).
+/// Hip and ankle roll stay within a quarter turn, the knee within [0, pi].
 struct InverseResult {
   LegVector angle_rad{};
   bool is_reachable = true;  ///< false: the ankle was pulled onto the reachable sphere; angles stay finite
 };
 
 /// Knee bends backwards (angle >= 0). Exact inverse of `forward` for every reachable pose with
-/// the knee bent: |forward(inverse(p)) - p| < 1e-12 m.
+/// the knee bent: |forward(inverse(p)) - p| < 1e-12 m. A target beyond reach keeps its foot
+/// rotation and the direction from hip to ankle. NaN in, NaN out: the output gate answers to it.
 [[nodiscard]] InverseResult inverse(const geometry::RobotGeometry&, Side, const FootPose&) noexcept;
 
 /// Joint rates that move the foot frame with the given velocity and no rotation against the body,
 /// at the given angles; by the leg's geometric Jacobian. Near a straight knee the rates are
-/// bounded by damping rather than infinite.
+/// bounded by damping rather than infinite; with sin(knee) above 0.05 they are exact.
 [[nodiscard]] LegVector inverse_rates(const geometry::RobotGeometry&, Side, const LegVector& angle_rad,
                                       const geometry::Vector3& velocity_body_m_s) noexcept;
 

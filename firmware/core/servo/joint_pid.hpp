@@ -31,8 +31,11 @@ struct ServoState {
 };
 
 /// Wanted torques, not yet gated: kp e + integral + kd de/dt. Anti-windup by conditional
-/// integration: a joint at its limit integrates only towards smaller output.
-[[nodiscard]] PerSide<LegVector> step(const ServoConfig&, ServoState&, const JointReference&,
-                                      const SensorSnapshot&, double period_s) noexcept;
+/// integration: a joint at its limit integrates only towards smaller output, and no joint
+/// integrates over a measurement that did not arrive in this tick.
+///
+/// @param period_s  time since the last call, > 0
+[[nodiscard]] PerSide<LegVector> step(const ServoConfig&, ServoState&, const JointReference&, const SensorSnapshot&,
+                                      double period_s) noexcept;
 
 }  // namespace surefoot::servo

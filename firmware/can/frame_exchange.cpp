@@ -1,0 +1,176 @@
+#include "firmware/can/frame_exchange.hpp"
+
+#include <algorithm>
+
+namespace surefoot::can {
+namespace {
+
+constexpr std::uint32_t kHeartbeatPeriodTicks = 100;
+
+// CiA 301: the upper four bits of an identifier say what it is, the lower seven who sends it.
+constexpr std::uint16_t kFunctionMask = 0x780;
+constexpr std::uint16_t kNodeMask = 0x07F;
+
+/// Place of a sensor node (1 to 5) in the arrays.
+constexpr std::size_t slot(Node node) noexcept { return static_cast<std::size_t>(node) - 1; }
+
+void age(Freshness& freshness, bool answered) noexcept {
+  if (answered) {
+    freshness.age_ticks = 0;
+  } else if (freshness.age_ticks < Freshness::kNeverHeard - 1) {
+    ++freshness.age_ticks;
+  }
+}
+
+}  // namespace
+
+void FrameExchange::begin_tick(CanBus& bus, std::uint32_t tick) noexcept {
+  tick_ = tick;
+  snapshot_.tick = tick;
+  answered_.fill(false);
+  std::array<CanFrame, 2> frames{encode_sync({.tick = tick, .counter = sync_counter_++})};
+  std::size_t count = 1;
+  if (tick % kHeartbeatPeriodTicks == 0) {
+    frames[count++] = encode_heartbeat(Node::kController, {.tick = tick, .counter = heartbeat_counter_++},
+                                       {.state = NodeState::kOperational});
+  }
+  send(bus, std::span(frames).first(count));
+}
+
+bool FrameExchange::collect(CanBus& bus) noexcept {
+  for (std::size_t batch = 0; batch < kMaxBatches; ++batch) {
+    const std::size_t count = bus.receive(inbox_);
+    for (std::size_t i = 0; i < count; ++i) accept(inbox_[i]);
+    if (count < inbox_.size()) break;
+  }
+  return std::ranges::all_of(answered_, [](bool answered) { return answered; });
+}
+
+const SensorSnapshot& FrameExchange::finish_collecting() noexcept {
+  for (const Side side : kSides) {
+    age(snapshot_.leg[index(side)].freshness, answered_[slot(leg_node(side))]);
+    age(snapshot_.foot[index(side)].freshness, answered_[slot(foot_node(side))]);
+  }
+  age(snapshot_.torso.freshness, answered_[slot(Node::kTorsoImu)]);
+  return snapshot_;
+}
+
+void FrameExchange::send_commands(CanBus& bus, const PerSide<LegCommand>& command) noexcept {
+  std::array<CanFrame, kSides.size()> frames;
+  for (const Side side : kSides) {
+    const std::size_t i = index(side);
+    frames[i] = encode_leg_command(side, {.tick = tick_, .counter = command_counter_[i]++}, command[i]);
+  }
+  send(bus, frames);
+}
+
+void FrameExchange::send(CanBus& bus, std::span<const CanFrame> frames) noexcept {
+  const std::size_t taken = bus.send(frames);
+  counters_.sent += taken;
+  counters_.refused_by_bus += frames.size() - taken;
+}
+
+void FrameExchange::accept(const CanFrame& frame) noexcept {
+  const auto node = static_cast<Node>(frame.identifier & kNodeMask);
+  const bool is_sensor_node = node >= Node::kLegRight && node <= Node::kTorsoImu;
+  Rejection rejection = Rejection::kUnknownIdentifier;
+  if (is_sensor_node && frame.identifier <= 0x7FF) {
+    switch (frame.identifier & kFunctionMask) {
+      case state_identifier(Node{0}):
+        rejection = accept_state(node, frame);
+        break;
+      case heartbeat_identifier(Node{0}):
+        rejection = accept_heartbeat(node, frame);
+        break;
+      case emergency_identifier(Node{0}):
+        rejection = accept_emergency(node, frame);
+        break;
+      default:
+        break;
+    }
+  }
+  if (rejection == Rejection::kNone) {
+    ++counters_.received;
+  } else {
+    ++counters_.rejected[static_cast<std::size_t>(rejection)];
+  }
+}
+
+Rejection FrameExchange::accept_state(Node node, const CanFrame& frame) noexcept {
+  switch (node) {
+    case Node::kLegRight:
+      return accept_leg_state(Side::kRight, frame);
+    case Node::kLegLeft:
+      return accept_leg_state(Side::kLeft, frame);
+    case Node::kFootRight:
+      return accept_foot_force(Side::kRight, frame);
+    case Node::kFootLeft:
+      return accept_foot_force(Side::kLeft, frame);
+    case Node::kTorsoImu:
+      return accept_imu(frame);
+    default:
+      return Rejection::kUnknownIdentifier;
+  }
+}
+
+Rejection FrameExchange::accept_leg_state(Side side, const CanFrame& frame) noexcept {
+  FrameStamp stamp;
+  LegSensors heard = snapshot_.leg[index(side)];
+  LegStatus status;
+  Rejection rejection = decode_leg_state(frame, stamp, heard, status);
+  if (rejection == Rejection::kNone) rejection = judge_state(leg_node(side), stamp);
+  if (rejection != Rejection::kNone) return rejection;
+  snapshot_.leg[index(side)] = heard;
+  leg_status_[index(side)] = status;
+  return Rejection::kNone;
+}
+
+Rejection FrameExchange::accept_foot_force(Side side, const CanFrame& frame) noexcept {
+  FrameStamp stamp;
+  FootSensors heard = snapshot_.foot[index(side)];
+  Rejection rejection = decode_foot_force(frame, stamp, heard);
+  if (rejection == Rejection::kNone) rejection = judge_state(foot_node(side), stamp);
+  if (rejection == Rejection::kNone) snapshot_.foot[index(side)] = heard;
+  return rejection;
+}
+
+Rejection FrameExchange::accept_imu(const CanFrame& frame) noexcept {
+  FrameStamp stamp;
+  ImuSensors heard = snapshot_.torso;
+  Rejection rejection = decode_imu(frame, stamp, heard);
+  if (rejection == Rejection::kNone) rejection = judge_state(Node::kTorsoImu, stamp);
+  if (rejection == Rejection::kNone) snapshot_.torso = heard;
+  return rejection;
+}
+
+Rejection FrameExchange::accept_heartbeat(Node node, const CanFrame& frame) noexcept {
+  FrameStamp stamp;
+  Heartbeat heartbeat;
+  const Rejection rejection = decode_heartbeat(frame, stamp, heartbeat);
+  if (rejection != Rejection::kNone) return rejection;
+  if (heartbeat.protocol_version != kProtocolVersion) return Rejection::kImplausible;
+  return judge_counter(heartbeat_watch_[slot(node)], stamp);
+}
+
+Rejection FrameExchange::accept_emergency(Node node, const CanFrame& frame) noexcept {
+  FrameStamp stamp;
+  Emergency emergency;
+  const Rejection rejection = decode_emergency(frame, stamp, emergency);
+  return rejection == Rejection::kNone ? judge_counter(emergency_watch_[slot(node)], stamp) : rejection;
+}
+
+Rejection FrameExchange::judge_state(Node node, FrameStamp stamp) noexcept {
+  if (stamp.tick != (tick_ & 0xFFFFU)) return Rejection::kLate;
+  const Rejection rejection = judge_counter(state_watch_[slot(node)], stamp);
+  if (rejection == Rejection::kNone) answered_[slot(node)] = true;
+  return rejection;
+}
+
+Rejection FrameExchange::judge_counter(CounterWatch& watch, FrameStamp stamp) noexcept {
+  const std::uint32_t lost_before = watch.lost();
+  const Rejection rejection = watch.step(stamp.counter);
+  counters_.lost += watch.lost() - lost_before;
+  return rejection;
+}
+
+}  // namespace surefoot::can

@@ -1,0 +1,21 @@
+#include "firmware/core/safety/fault.hpp"
+
+namespace surefoot::safety {
+
+const char* name(Fault fault) noexcept {
+  switch (fault) {
+    case Fault::kNone:
+      return "none";
+    case Fault::kSensorSilent:
+      return "sensor_silent";
+    case Fault::kTorqueNotFinite:
+      return "torque_not_finite";
+    case Fault::kJointOutOfRange:
+      return "joint_out_of_range";
+    case Fault::kJointOverspeed:
+      return "joint_overspeed";
+  }
+  return "unknown";
+}
+
+}  // namespace surefoot::safety

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "firmware/core/geometry/robot_geometry.hpp"
+#include "sim_hw/nodes/frame_outbox.hpp"
+#include "sim_hw/nodes/heartbeat_sender.hpp"
+#include "sim_hw/nodes/noise_source.hpp"
+#include "sim_hw/plant_config.hpp"
+
+namespace surefoot::sim_hw {
+
+/// Four load cells under the corners of one sole; each reports its mean over the last period.
+class FootNode {
+ public:
+  FootNode(Side, const SensorConfig&, std::uint64_t seed) noexcept;
+
+  /// Answers SYNC.
+  void on_sync(std::uint32_t tick, const std::array<double, geometry::kCornersPerFoot>& corner_force_n,
+               FrameOutbox&) noexcept;
+
+ private:
+  Side side_;
+  SensorConfig sensor_;
+  NoiseSource noise_;
+  HeartbeatSender heartbeat_;
+  std::uint8_t counter_ = 0;
+};
+
+}  // namespace surefoot::sim_hw

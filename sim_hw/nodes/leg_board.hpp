@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "firmware/can/counter_watch.hpp"
+#include "firmware/can/messages.hpp"
+#include "sim_hw/nodes/command_queue.hpp"
+#include "sim_hw/nodes/frame_outbox.hpp"
+#include "sim_hw/nodes/heartbeat_sender.hpp"
+#include "sim_hw/nodes/noise_source.hpp"
+#include "sim_hw/plant_config.hpp"
+
+namespace surefoot::sim_hw {
+
+/// Torque at each joint for each rad/s while a board damps its leg. With the rotor inertia of the
+/// joints and steps up to 1 ms it is far from oscillating.
+inline constexpr double kDampingNmSPerRad = 100.0;
+
+/// One leg's motor board: six encoders, six torque motors, a watchdog.
+///
+/// A torque frame of tick k takes effect `command_latency_s` after the tick began, counted in
+/// physics steps, and is held until the next. Before the first frame, in mode `kDamp`, and after
+/// `watchdog_s` without a valid frame the board damps its joints. Expiry raises emergency 0x8130;
+/// the next valid frame ends it with 0x0000.
+class LegBoard {
+ public:
+  LegBoard(Side, const SimConfig&) noexcept;
+
+  /// Answers SYNC with the joints as they are; from now on commands must carry this tick.
+  void on_sync(std::uint32_t tick, const LegVector& angle_rad, const LegVector& rate_rad_s, FrameOutbox&) noexcept;
+
+  /// Judges a command frame: length, CRC, ranges, tick, counter, and one command a tick. Anything
+  /// but `kNone` leaves the board as it was.
+  [[nodiscard]] can::Rejection on_command(const can::CanFrame&, FrameOutbox&) noexcept;
+
+  /// Whether this tick's command has been accepted.
+  [[nodiscard]] bool has_command() const noexcept { return has_command_; }
+
+  /// Motor torques for the physics step that begins now. Call once a step.
+  [[nodiscard]] const LegVector& begin_step(const LegVector& rate_rad_s, FrameOutbox&) noexcept;
+
+  /// Motor torques of the last step, within the motors' limit.
+  [[nodiscard]] const LegVector& torque_nm() const noexcept { return torque_nm_; }
+
+ private:
+  void send_emergency(std::uint16_t code, FrameOutbox&) noexcept;
+  void apply(const LegVector& wanted_nm) noexcept;
+
+  Side side_;
+  SensorConfig sensor_;
+  double torque_limit_nm_;
+  std::uint64_t latency_steps_;
+  std::uint64_t watchdog_steps_;
+  NoiseSource noise_;
+  HeartbeatSender heartbeat_;
+  can::CounterWatch command_watch_;
+  CommandQueue queue_;
+  LegCommand active_{};
+  LegVector torque_nm_{};
+  can::LegStatus status_{.watchdog_expired = false, .torque_limited = false, .is_damping = true};
+  std::uint64_t step_ = 0;
+  std::uint64_t silent_steps_ = 0;
+  std::uint32_t tick_ = 0;
+  bool was_synchronised_ = false;
+  bool has_command_ = false;
+  bool was_commanded_ = false;
+  std::uint8_t state_counter_ = 0;
+  std::uint8_t emergency_counter_ = 0;
+};
+
+}  // namespace surefoot::sim_hw

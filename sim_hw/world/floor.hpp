@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+
+#include "sim_hw/world/robot_model.hpp"
+
+namespace surefoot::sim_hw {
+
+/// What the floor does to one sole in one step.
+struct SoleLoad {
+  std::array<double, geometry::kCornersPerFoot> normal_n{};  ///< at each corner, never negative
+  btVector3 normal_moment_world_nm{0, 0, 0};                 ///< sum of normal force times corner position
+  double rubbing_w = 0.0;                                    ///< sum of normal force times tangential speed
+
+  [[nodiscard]] double normal_sum_n() const noexcept { return normal_n[0] + normal_n[1] + normal_n[2] + normal_n[3]; }
+};
+
+/// What carries the robot: the seam between contact models. A model takes the whole physics step,
+/// because a solver of its own must see contact and motion together.
+class Floor {
+ public:
+  virtual ~Floor() = default;
+
+  /// One step: floor forces, motor torques held constant, joint friction, gravity.
+  virtual void step(RobotModel& robot, const PerSide<LegVector>& motor_torque_nm, double step_s) noexcept = 0;
+
+  /// Reads the forces of the present pose without moving, before the first step. A solver that
+  /// knows forces only from its steps leaves them at zero.
+  virtual void touch(const RobotModel& robot) noexcept = 0;
+
+  /// Forces of the last step.
+  [[nodiscard]] virtual const PerSide<SoleLoad>& loads() const noexcept = 0;
+
+  /// How deep the corners of a robot at rest lie below the floor's surface.
+  [[nodiscard]] virtual double resting_depth_m(double total_mass_kg) const noexcept = 0;
+};
+
+}  // namespace surefoot::sim_hw

@@ -1,0 +1,54 @@
+#include "sim_hw/world/world.hpp"
+
+#include <algorithm>
+
+#include "sim_hw/world/bullet_floor.hpp"
+#include "sim_hw/world/spring_floor.hpp"
+
+namespace surefoot::sim_hw {
+namespace {
+
+std::unique_ptr<Floor> make_floor(const SimConfig& config, RobotModel& robot) {
+  if (config.contact.model == ContactModel::kBullet) {
+    return std::make_unique<BulletFloor>(config.geometry, config.contact, robot);
+  }
+  return std::make_unique<SpringFloor>(config.geometry, config.contact);
+}
+
+/// Height of the lowest corner of both soles.
+double lowest_corner_m(const RobotModel& robot, const geometry::RobotGeometry& geometry) {
+  double lowest = 0.0;
+  for (const Side side : kSides) {
+    const BodyMotion foot = robot.foot_motion(side);
+    for (std::size_t i = 0; i < geometry::kCornersPerFoot; ++i) {
+      const btVector3 corner = to_bullet(geometry.corner_foot_m(static_cast<geometry::Corner>(i)));
+      lowest = std::min(lowest, (foot.position_m + foot.rotation_world_from_body * corner).z());
+    }
+  }
+  return lowest;
+}
+
+}  // namespace
+
+World::World(const SimConfig& config, const PerSide<LegVector>& initial_angle_rad)
+    : robot_(config.geometry, config.mass, config.drive), floor_(make_floor(config, robot_)) {
+  robot_.set_joints(initial_angle_rad, {});
+  const double height = -lowest_corner_m(robot_, config.geometry) - floor_->resting_depth_m(robot_.total_mass_kg());
+  robot_.place_body({0.0, 0.0, height}, geometry::Matrix3::Identity(), geometry::Vector3::Zero(),
+                    geometry::Vector3::Zero());
+  floor_->touch(robot_);
+}
+
+void World::advance(const PerSide<LegVector>& motor_torque_nm, double step_s) noexcept {
+  floor_->step(robot_, motor_torque_nm, step_s);
+  const PerSide<SoleLoad>& load = floor_->loads();
+  const double carried_n = load[0].normal_sum_n() + load[1].normal_sum_n();
+  if (carried_n > 0.0) slip_m_ += (load[0].rubbing_w + load[1].rubbing_w) / carried_n * step_s;
+}
+
+void World::hang(const PayloadConfig& payload) noexcept {
+  robot_.set_trunk(hang_payload(robot_.trunk(), payload));
+  payload_kg_ += payload.mass_kg;
+}
+
+}  // namespace surefoot::sim_hw

@@ -1,0 +1,156 @@
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "tests/unit/tools/scenario_testing.hpp"
+#include "tools/scenario/field_table.hpp"
+
+namespace surefoot::scenario {
+namespace {
+
+double number_in(const Range& range) {
+  const double share = static_cast<double>(*rc::gen::arbitrary<std::uint32_t>()) / 4294967295.0;
+  const double value = range.min + share * (range.max - range.min);
+  return range.is_open_below && value <= range.min ? range.max : std::clamp(value, range.min, range.max);
+}
+
+void set_at_random(const Field& field) {
+  if (auto* const* number = std::get_if<double*>(&field.target)) **number = number_in(field.range);
+  if (auto* const* flag = std::get_if<bool*>(&field.target)) **flag = *rc::gen::arbitrary<bool>();
+  if (auto* const* small = std::get_if<std::uint32_t*>(&field.target)) {
+    **small = static_cast<std::uint32_t>(number_in(field.range));
+  }
+  if (auto* const* large = std::get_if<std::uint64_t*>(&field.target)) {
+    **large = static_cast<std::uint64_t>(number_in(field.range));
+  }
+  if (const auto* choice = std::get_if<Choice>(&field.target)) {
+    choice->set(*rc::gen::inRange<std::size_t>(0, choice->names.size()));
+  }
+  if (const auto* numbers = std::get_if<Numbers>(&field.target)) {
+    for (double* number : *numbers) *number = number_in(field.range);
+  }
+}
+
+bool is_valid(const Scenario& scenario) {
+  try {
+    validate(scenario);
+    return true;
+  } catch (const ScenarioError&) {
+    return false;
+  }
+}
+
+/// Every key at random, where that leaves the scenario possible.
+Scenario random_scenario() {
+  Scenario scenario;
+  const std::size_t count = fields(scenario).size();
+  for (std::size_t i = 0; i < count; ++i) {
+    Scenario changed = scenario;
+    set_at_random(fields(changed)[i]);
+    share_numbers(changed);
+    if (is_valid(changed)) scenario = changed;
+  }
+  scenario.sim.payloads.resize(*rc::gen::inRange<std::size_t>(0, kMaxPayloads + 1));
+  for (sim_hw::PayloadConfig& payload : scenario.sim.payloads) {
+    for (const Field& field : fields(payload)) set_at_random(field);
+  }
+  std::stable_sort(scenario.sim.payloads.begin(), scenario.sim.payloads.end(),
+                   [](const auto& a, const auto& b) { return a.at_s < b.at_s; });
+  return scenario;
+}
+
+/// The bits of every value, text for names.
+std::vector<std::string> bits(const std::vector<Field>& table) {
+  std::vector<std::string> all;
+  const auto add = [&](double number) { all.push_back(std::to_string(std::bit_cast<std::uint64_t>(number))); };
+  for (const Field& field : table) {
+    if (const auto* number = std::get_if<double*>(&field.target)) {
+      add(**number);
+    } else if (const auto* numbers = std::get_if<Numbers>(&field.target)) {
+      for (const double* element : *numbers) add(*element);
+    } else {
+      all.push_back(value_text(field));
+    }
+  }
+  return all;
+}
+
+TEST(ScenarioRoundTrip, EffectiveScenarioReadsBackToTheSameBits) {
+  EXPECT_TRUE(rc::check([] {
+    Scenario written = random_scenario();
+    const std::string text = to_toml(written);
+    Scenario read = load_text("effective.toml", text);
+    RC_ASSERT(bits(fields(read)) == bits(fields(written)));
+    RC_ASSERT(read.sim.payloads.size() == written.sim.payloads.size());
+    for (std::size_t i = 0; i < read.sim.payloads.size(); ++i) {
+      RC_ASSERT(bits(fields(read.sim.payloads[i])) == bits(fields(written.sim.payloads[i])));
+    }
+    RC_ASSERT(to_toml(read) == text);
+  }));
+}
+
+TEST(ScenarioRoundTrip, RandomScenariosMoveMostKeysAwayFromTheirDefaults) {
+  Scenario defaults;
+  const std::vector<std::string> unchanged = bits(fields(defaults));
+  std::vector<bool> has_moved(unchanged.size());
+  rc::check([&] {
+    Scenario scenario = random_scenario();
+    const std::vector<std::string> values = bits(fields(scenario));
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (values[i] != unchanged[i]) has_moved[i] = true;
+    }
+  });
+  // All but the robot, of which there is one.
+  EXPECT_GE(std::count(has_moved.begin(), has_moved.end(), true), static_cast<std::ptrdiff_t>(unchanged.size()) - 2);
+}
+
+TEST(ScenarioRoundTrip, ScenarioOfAnySeedHasThatSeed) {
+  EXPECT_TRUE(rc::check([](std::uint32_t seed) {
+    const std::vector<std::string> overrides{"seed=" + std::to_string(seed)};
+    RC_ASSERT(load_default(overrides).sim.seed == seed);
+  }));
+}
+
+TEST(ScenarioHostileText, IsReadOrRefusedWithAPlaceAndARemedyAndNothingElse) {
+  std::ifstream stream(scenario_folder() / "second_payload.toml", std::ios::binary);
+  const std::string shipped{std::istreambuf_iterator<char>(stream), {}};
+  ASSERT_FALSE(shipped.empty());
+  EXPECT_TRUE(rc::check([&] {
+    std::string text = shipped;
+    const int changes = *rc::gen::inRange(1, 6);
+    for (int i = 0; i < changes && !text.empty(); ++i) {
+      const std::size_t at = *rc::gen::inRange<std::size_t>(0, text.size());
+      const std::size_t length = *rc::gen::inRange<std::size_t>(0, 8);
+      text.replace(at, length, *rc::gen::arbitrary<std::string>());
+    }
+    try {
+      const Scenario scenario = load_text("hostile.toml", text);
+      validate(scenario);
+    } catch (const ScenarioError& error) {
+      const std::string message = error.what();
+      RC_ASSERT(message.starts_with("hostile.toml"));
+      RC_ASSERT(message.find("\n  remedy: ") != std::string::npos);
+    }
+  }));
+}
+
+TEST(ScenarioHostileText, OverridesAreAppliedOrRefusedUnderTheirOwnName) {
+  EXPECT_TRUE(rc::check([](const std::string& key, const std::string& value) {
+    const std::vector<std::string> overrides{key + "=" + value};
+    try {
+      validate(load_default(overrides));
+    } catch (const ScenarioError& error) {
+      RC_ASSERT(std::string(error.what()).starts_with("--set "));
+    }
+  }));
+}
+
+}  // namespace
+}  // namespace surefoot::scenario

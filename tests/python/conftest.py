@@ -1,0 +1,44 @@
+"""Fixtures: one recorded run for all tests of a session, and a made-up one for the pictures."""
+
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+from synthetic_run import write_synthetic_run
+
+# Long enough for every event of the main job: trigger at about 1.26 s, on the way again 4.5 s later.
+_SCENARIO = """\
+plant = "thesis"
+duration_s = 6.5
+
+[reflex]
+method = "original"
+
+[limits]
+min_cycles_after_recovery = 0.0
+
+[[payload]]
+mass_kg = 5.0
+at_s = 1.2
+"""
+
+
+@pytest.fixture(scope="session")
+def run_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """What `surefoot run` leaves behind after a short payload walk."""
+    binary = os.environ.get("SUREFOOT_BINARY")
+    assert binary, "SUREFOOT_BINARY is not set; run these tests through ctest"
+    folder = tmp_path_factory.mktemp("run")
+    scenario = folder / "short.toml"
+    scenario.write_text(_SCENARIO)
+    run = folder / "recorded"
+    finished = subprocess.run([binary, "run", scenario, "--out", run], capture_output=True, text=True, check=False)
+    assert finished.returncode == 0, finished.stdout + finished.stderr
+    return run
+
+
+@pytest.fixture(scope="session")
+def synthetic_run(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A run folder made up from the formulas of the walk."""
+    return write_synthetic_run(tmp_path_factory.mktemp("synthetic") / "made_up")

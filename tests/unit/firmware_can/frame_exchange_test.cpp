@@ -1,0 +1,244 @@
+#include "firmware/can/frame_exchange.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/firmware_can/scripted_bus.hpp"
+
+namespace surefoot::can {
+namespace {
+
+/// Five nodes in good health, one counter for each.
+struct Robot {
+  std::array<std::uint8_t, 5> counter{};
+
+  CanFrame leg(Side side, std::uint32_t tick) {
+    LegSensors sensors;
+    sensors.angle_rad.fill(side == Side::kRight ? 0.25 : -0.25);
+    return encode_leg_state(side, {.tick = tick, .counter = counter[index(side)]++}, sensors, {.is_damping = true});
+  }
+  CanFrame foot(Side side, std::uint32_t tick) {
+    FootSensors sensors;
+    sensors.corner_force_n.fill(side == Side::kRight ? 100.0 : 50.0);
+    return encode_foot_force(side, {.tick = tick, .counter = counter[2 + index(side)]++}, sensors);
+  }
+  CanFrame imu(std::uint32_t tick) {
+    ImuSensors sensors;
+    sensors.specific_force_body_m_s2 = {0.0, 0.0, 9.81};
+    return encode_imu({.tick = tick, .counter = counter[4]++}, sensors);
+  }
+  std::vector<CanFrame> answer(std::uint32_t tick) {
+    return {leg(Side::kRight, tick), leg(Side::kLeft, tick), foot(Side::kRight, tick), foot(Side::kLeft, tick),
+            imu(tick)};
+  }
+};
+
+struct FrameExchangeTest : ::testing::Test {
+  ScriptedBus bus;
+  FrameExchange exchange;
+  Robot robot;
+
+  std::uint64_t rejected(Rejection cause) const {
+    return exchange.counters().rejected[static_cast<std::size_t>(cause)];
+  }
+  std::uint64_t rejected() const {
+    std::uint64_t sum = 0;
+    for (const std::uint64_t count : exchange.counters().rejected) sum += count;
+    return sum;
+  }
+  const SensorSnapshot& run_tick(std::uint32_t tick, std::vector<CanFrame> incoming) {
+    exchange.begin_tick(bus, tick);
+    bus.incoming = std::move(incoming);
+    static_cast<void>(exchange.collect(bus));
+    return exchange.finish_collecting();
+  }
+};
+
+TEST_F(FrameExchangeTest, OpensEachTickWithASyncOfThatTick) {
+  for (std::uint32_t tick : {70'001U, 70'002U}) exchange.begin_tick(bus, tick);
+  ASSERT_EQ(bus.sent.size(), 2U);
+  FrameStamp first;
+  FrameStamp second;
+  ASSERT_EQ(decode_sync(bus.sent[0], first), Rejection::kNone);
+  ASSERT_EQ(decode_sync(bus.sent[1], second), Rejection::kNone);
+  EXPECT_EQ(first.tick, 70'001U);
+  EXPECT_EQ(second.tick, 70'002U);
+  EXPECT_EQ(second.counter, first.counter + 1);
+}
+
+TEST_F(FrameExchangeTest, SendsItsHeartbeatEveryHundredTicksAfterTheSync) {
+  for (std::uint32_t tick = 0; tick <= 200; ++tick) exchange.begin_tick(bus, tick);
+  ASSERT_EQ(bus.sent.size(), 201U + 3U);
+  for (const std::size_t place : {std::size_t{1}, std::size_t{102}, std::size_t{203}}) {
+    FrameStamp stamp;
+    Heartbeat heartbeat;
+    EXPECT_EQ(bus.sent[place].identifier, heartbeat_identifier(Node::kController));
+    ASSERT_EQ(decode_heartbeat(bus.sent[place], stamp, heartbeat), Rejection::kNone);
+    EXPECT_EQ(heartbeat.state, NodeState::kOperational);
+    EXPECT_EQ(heartbeat.protocol_version, kProtocolVersion);
+  }
+}
+
+TEST_F(FrameExchangeTest, IsCompleteOnlyWhenAllFiveNodesHaveAnswered) {
+  const std::vector<CanFrame> answer = robot.answer(1);
+  for (std::size_t missing = 0; missing < answer.size(); ++missing) {
+    FrameExchange fresh;
+    fresh.begin_tick(bus, 1);
+    bus.incoming = answer;
+    bus.incoming.erase(bus.incoming.begin() + static_cast<std::ptrdiff_t>(missing));
+    EXPECT_FALSE(fresh.collect(bus)) << missing;
+    bus.incoming = {answer[missing]};
+    EXPECT_TRUE(fresh.collect(bus)) << missing;
+  }
+}
+
+TEST_F(FrameExchangeTest, PutsEachNodesValuesInItsPlace) {
+  const SensorSnapshot& snapshot = run_tick(9, robot.answer(9));
+  EXPECT_EQ(snapshot.tick, 9U);
+  EXPECT_NEAR(snapshot.leg[index(Side::kRight)].angle_rad[3], 0.25, 1e-9);
+  EXPECT_NEAR(snapshot.leg[index(Side::kLeft)].angle_rad[3], -0.25, 1e-9);
+  EXPECT_NEAR(snapshot.foot[index(Side::kRight)].corner_force_n[0], 100.0, 1e-9);
+  EXPECT_NEAR(snapshot.foot[index(Side::kLeft)].corner_force_n[0], 50.0, 1e-9);
+  EXPECT_NEAR(snapshot.torso.specific_force_body_m_s2.z(), 9.81, 1e-9);
+  EXPECT_TRUE(snapshot.leg[0].freshness.is_fresh());
+  EXPECT_TRUE(snapshot.torso.freshness.is_fresh());
+  EXPECT_TRUE(exchange.leg_status()[0].is_damping);
+  EXPECT_EQ(exchange.counters().received, 5U);
+  EXPECT_EQ(rejected(), 0U);
+}
+
+TEST_F(FrameExchangeTest, KeepsAndAgesTheValuesOfANodeThatFellSilentAndRenewsThem) {
+  static_cast<void>(run_tick(1, robot.answer(1)));
+  for (std::uint32_t tick = 2; tick <= 4; ++tick) {
+    std::vector<CanFrame> answer = robot.answer(tick);
+    answer.erase(answer.begin() + 2);  // the right foot
+    const SensorSnapshot& snapshot = run_tick(tick, answer);
+    EXPECT_EQ(snapshot.foot[index(Side::kRight)].freshness.age_ticks, tick - 1);
+    EXPECT_NEAR(snapshot.foot[index(Side::kRight)].corner_force_n[0], 100.0, 1e-9);
+    EXPECT_TRUE(snapshot.foot[index(Side::kLeft)].freshness.is_fresh());
+  }
+  EXPECT_EQ(exchange.counters().lost, 0U);  // a gap shows only when the counter comes back
+  EXPECT_TRUE(run_tick(5, robot.answer(5)).foot[index(Side::kRight)].freshness.is_fresh());
+  EXPECT_EQ(exchange.counters().lost, 3U);
+  EXPECT_EQ(rejected(), 0U);
+}
+
+TEST_F(FrameExchangeTest, NeverTakesANodeForHeardThatWasNot) {
+  for (std::uint32_t tick = 0; tick < 3; ++tick) {
+    EXPECT_FALSE(run_tick(tick, {robot.imu(tick)}).leg[0].freshness.was_heard());
+  }
+}
+
+TEST_F(FrameExchangeTest, DropsTheSecondCopyOfAFrame) {
+  std::vector<CanFrame> answer = robot.answer(1);
+  answer.push_back(answer.front());
+  static_cast<void>(run_tick(1, answer));
+  EXPECT_EQ(rejected(Rejection::kRepeated), 1U);
+  EXPECT_EQ(exchange.counters().received, 5U);
+}
+
+TEST_F(FrameExchangeTest, DropsAnswersToAnotherTick) {
+  static_cast<void>(run_tick(10, robot.answer(10)));
+  const SensorSnapshot& snapshot = run_tick(11, robot.answer(10));
+  EXPECT_EQ(rejected(Rejection::kLate), 5U);
+  EXPECT_EQ(snapshot.torso.freshness.age_ticks, 1U);
+  static_cast<void>(run_tick(12, robot.answer(13)));
+  EXPECT_EQ(rejected(Rejection::kLate), 10U);
+}
+
+// An old frame whose counter is the one that comes next: were it to move the counter, the true frame
+// would be taken for its copy and dropped.
+TEST_F(FrameExchangeTest, IsNotBlindedByAnOldFramePlayedBack) {
+  const CanFrame old = encode_imu({.tick = 1, .counter = 1}, {});
+  static_cast<void>(run_tick(300, {robot.imu(300)}));  // counter 0
+  const SensorSnapshot& snapshot = run_tick(301, {old, robot.imu(301)});
+  EXPECT_EQ(rejected(Rejection::kLate), 1U);
+  EXPECT_TRUE(snapshot.torso.freshness.is_fresh());
+  EXPECT_NEAR(snapshot.torso.specific_force_body_m_s2.z(), 9.81, 1e-9);
+  EXPECT_EQ(exchange.counters().lost, 0U);
+}
+
+TEST_F(FrameExchangeTest, ComparesTheLowSixteenBitsOfTheTick) {
+  for (const std::uint32_t tick : {65'535U, 65'536U, 65'537U}) {
+    EXPECT_TRUE(run_tick(tick, robot.answer(tick)).torso.freshness.is_fresh()) << tick;
+  }
+  EXPECT_EQ(rejected(), 0U);
+}
+
+TEST_F(FrameExchangeTest, NeverLetsADamagedOrImplausibleFrameReachTheSnapshot) {
+  static_cast<void>(run_tick(1, {robot.imu(1)}));
+  CanFrame damaged = robot.imu(2);
+  damaged.payload[17] ^= 0x40;
+  CanFrame cut = robot.imu(2);
+  cut.length = 16;
+  const SensorSnapshot& snapshot = run_tick(2, {damaged, cut});
+  EXPECT_EQ(rejected(Rejection::kWrongCrc), 1U);
+  EXPECT_EQ(rejected(Rejection::kWrongLength), 1U);
+  EXPECT_NEAR(snapshot.torso.specific_force_body_m_s2.z(), 9.81, 1e-9);
+  EXPECT_EQ(snapshot.torso.freshness.age_ticks, 1U);
+}
+
+TEST_F(FrameExchangeTest, AcceptsHeartbeatsAndEmergenciesOfNodesOnce) {
+  const CanFrame heartbeat = encode_heartbeat(Node::kFootLeft, {.tick = 0, .counter = 0}, {});
+  const CanFrame emergency = encode_emergency(Node::kLegRight, {.tick = 0, .counter = 0}, {.code = 0x8130});
+  static_cast<void>(run_tick(50, {heartbeat, emergency}));
+  EXPECT_EQ(exchange.counters().received, 2U);
+  EXPECT_EQ(rejected(), 0U);
+  static_cast<void>(run_tick(51, {heartbeat, emergency}));
+  EXPECT_EQ(rejected(Rejection::kRepeated), 2U);
+}
+
+TEST_F(FrameExchangeTest, RefusesTheHeartbeatOfANodeThatSpeaksAnotherProtocol) {
+  static_cast<void>(run_tick(1, {encode_heartbeat(Node::kLegLeft, {}, {.protocol_version = kProtocolVersion + 1})}));
+  EXPECT_EQ(rejected(Rejection::kImplausible), 1U);
+}
+
+TEST_F(FrameExchangeTest, CountsForeignersAndItsOwnIdentifiersSentByOthersAsUnknown) {
+  CanFrame beyond_eleven_bits = robot.imu(1);
+  beyond_eleven_bits.identifier = 0x1985;
+  static_cast<void>(run_tick(1, {encode_sync({.tick = 1}), encode_leg_command(Side::kRight, {.tick = 1}, {}),
+                                 encode_leg_command(Side::kLeft, {.tick = 1}, {}),
+                                 encode_heartbeat(Node::kController, {}, {}), CanFrame{.identifier = 0x000},
+                                 CanFrame{.identifier = 0x186}, CanFrame{.identifier = 0x7FF}, beyond_eleven_bits}));
+  EXPECT_EQ(rejected(Rejection::kUnknownIdentifier), 8U);
+  EXPECT_EQ(exchange.counters().received, 0U);
+}
+
+TEST_F(FrameExchangeTest, SendsTheTorquesOfThisTickToBothLegs) {
+  exchange.begin_tick(bus, 66'000);
+  bus.sent.clear();
+  PerSide<LegCommand> command{};
+  command[index(Side::kLeft)] = {.mode = LegMode::kTorque, .torque_nm = {1, 2, 3, 4, 5, 6}};
+  exchange.send_commands(bus, command);
+  ASSERT_EQ(bus.sent.size(), 2U);
+  EXPECT_EQ(bus.sent[0].identifier, 0x201);
+  EXPECT_EQ(bus.sent[1].identifier, 0x202);
+  FrameStamp stamp;
+  LegCommand heard;
+  ASSERT_EQ(decode_leg_command(bus.sent[1], stamp, heard), Rejection::kNone);
+  EXPECT_EQ(stamp.tick, 66'000U & 0xFFFFU);
+  EXPECT_EQ(heard.mode, LegMode::kTorque);
+  EXPECT_NEAR(heard.torque_nm[5], 6.0, 1e-9);
+}
+
+TEST_F(FrameExchangeTest, CountsWhatTheBusDoesNotTake) {
+  bus.room_for = 1;
+  exchange.begin_tick(bus, 0);  // SYNC and heartbeat
+  exchange.send_commands(bus, {});
+  EXPECT_EQ(exchange.counters().sent, 2U);
+  EXPECT_EQ(exchange.counters().refused_by_bus, 2U);
+}
+
+TEST_F(FrameExchangeTest, FindsTheAnswersBehindALongQueueOfNoiseButDoesNotReadAFloodForEver) {
+  const CanFrame noise{.identifier = 0x555};
+  exchange.begin_tick(bus, 1);
+  bus.incoming.assign(1000, noise);
+  const std::vector<CanFrame> answer = robot.answer(1);
+  bus.incoming.insert(bus.incoming.end(), answer.begin(), answer.end());
+  EXPECT_FALSE(exchange.collect(bus));
+  EXPECT_EQ(bus.incoming.size(), 1005U - 256U);
+  for (int call = 0; call < 2; ++call) EXPECT_FALSE(exchange.collect(bus));
+  EXPECT_TRUE(exchange.collect(bus));
+}
+
+}  // namespace
+}  // namespace surefoot::can

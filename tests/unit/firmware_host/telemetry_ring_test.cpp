@@ -1,0 +1,93 @@
+#include "firmware/host/telemetry_ring.hpp"
+
+#include <gtest/gtest.h>
+
+#include <surefoot/bus_statistics_t.hpp>
+#include <surefoot/controller_state_t.hpp>
+#include <surefoot/event_t.hpp>
+#include <surefoot/simulator_truth_t.hpp>
+#include <surefoot/timing_statistics_t.hpp>
+
+#include "firmware/can/messages.hpp"
+#include "firmware/core/decision/reflex_phase.hpp"
+#include "firmware/host/allocation_guard.hpp"
+
+namespace surefoot::host {
+namespace {
+
+/// Sends a message of bytes 1, 2, 3 ... through a ring and its encoding, and compares what comes out.
+template <class Message>
+void expect_round_trip() {
+  std::array<unsigned char, sizeof(Message)> pattern{};
+  Message sent;
+  for (std::size_t i = 0; i < pattern.size(); ++i) pattern[i] = static_cast<unsigned char>(i % 127 + 1);
+  std::memcpy(static_cast<void*>(&sent), pattern.data(), sizeof(Message));
+
+  TelemetryRing ring(2);
+  allocation_guard::arm();
+  const bool was_taken = push(ring, Channel::kEvent, -7, sent);
+  EXPECT_EQ(allocation_guard::disarm().allocations, 0U);
+  ASSERT_TRUE(was_taken);
+  std::array<std::byte, kMaxEncodedBytes> buffer{};
+  int size = 0;
+  ring.consume(
+      [&](const TelemetrySlot& slot) {
+        EXPECT_EQ(slot.utime_us, -7);
+        EXPECT_EQ(slot.channel, Channel::kEvent);
+        size = slot.encode(slot.message.data(), buffer.data(), static_cast<int>(buffer.size()));
+      },
+      1);
+  ASSERT_EQ(size, sent.getEncodedSize());
+  Message received;
+  ASSERT_EQ(received.decode(buffer.data(), 0, size), size);
+  std::array<std::byte, kMaxEncodedBytes> again{};
+  ASSERT_EQ(received.encode(again.data(), 0, static_cast<int>(again.size())), size);
+  EXPECT_EQ(again, buffer);
+}
+
+TEST(TelemetryRing, CarriesEveryMessageTypeUnchangedAndWithoutAllocating) {
+  expect_round_trip<controller_state_t>();
+  expect_round_trip<event_t>();
+  expect_round_trip<simulator_truth_t>();
+  expect_round_trip<bus_statistics_t>();
+  expect_round_trip<timing_statistics_t>();
+}
+
+TEST(TelemetryRing, FullRingDropsAndCounts) {
+  TelemetryRing ring(2);
+  const event_t event{};
+  EXPECT_TRUE(push(ring, Channel::kEvent, 0, event));
+  EXPECT_TRUE(push(ring, Channel::kEvent, 1, event));
+  EXPECT_FALSE(push(ring, Channel::kEvent, 2, event));
+  EXPECT_EQ(ring.drops(), 1U);
+}
+
+// The schemas can not include the firmware's enumerations, so that their tables are held together here.
+TEST(MessageConstants, AgreeWithTheFirmwaresEnumerations) {
+  using decision::ReflexEvent;
+  using decision::ReflexPhase;
+  const auto value = [](auto enumerator) { return static_cast<std::int8_t>(enumerator); };
+  EXPECT_EQ(std::int8_t{controller_state_t::PHASE_STANDING}, value(ReflexPhase::kStanding));
+  EXPECT_EQ(std::int8_t{controller_state_t::PHASE_WALKING}, value(ReflexPhase::kWalking));
+  EXPECT_EQ(std::int8_t{controller_state_t::PHASE_REFLEX}, value(ReflexPhase::kReflex));
+  EXPECT_EQ(std::int8_t{controller_state_t::PHASE_SETTLING}, value(ReflexPhase::kSettling));
+  EXPECT_EQ(std::int8_t{controller_state_t::PHASE_SHIFTING}, value(ReflexPhase::kShifting));
+  EXPECT_EQ(std::int8_t{controller_state_t::PHASE_RESTORING}, value(ReflexPhase::kRestoring));
+  EXPECT_EQ(std::int8_t{controller_state_t::PHASE_RESTING}, value(ReflexPhase::kResting));
+  EXPECT_EQ(std::int8_t{event_t::STANDING_DONE}, value(ReflexEvent::kStandingDone));
+  EXPECT_EQ(std::int8_t{event_t::PAYLOAD_DETECTED}, value(ReflexEvent::kPayloadDetected));
+  EXPECT_EQ(std::int8_t{event_t::REFLEX_DONE}, value(ReflexEvent::kReflexDone));
+  EXPECT_EQ(std::int8_t{event_t::SETTLED}, value(ReflexEvent::kSettled));
+  EXPECT_EQ(std::int8_t{event_t::SHIFTED}, value(ReflexEvent::kShifted));
+  EXPECT_EQ(std::int8_t{event_t::RESTORED}, value(ReflexEvent::kRestored));
+  EXPECT_EQ(std::int8_t{event_t::RESTED}, value(ReflexEvent::kRested));
+  EXPECT_EQ(std::int8_t{bus_statistics_t::REJECTED_UNKNOWN_IDENTIFIER}, value(can::Rejection::kUnknownIdentifier));
+  EXPECT_EQ(std::int8_t{bus_statistics_t::REJECTED_WRONG_LENGTH}, value(can::Rejection::kWrongLength));
+  EXPECT_EQ(std::int8_t{bus_statistics_t::REJECTED_WRONG_CRC}, value(can::Rejection::kWrongCrc));
+  EXPECT_EQ(std::int8_t{bus_statistics_t::REJECTED_REPEATED}, value(can::Rejection::kRepeated));
+  EXPECT_EQ(std::int8_t{bus_statistics_t::REJECTED_LATE}, value(can::Rejection::kLate));
+  EXPECT_EQ(std::int8_t{bus_statistics_t::REJECTED_IMPLAUSIBLE}, value(can::Rejection::kImplausible));
+}
+
+}  // namespace
+}  // namespace surefoot::host

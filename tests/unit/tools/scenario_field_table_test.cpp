@@ -1,0 +1,162 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <vector>
+
+#include "tests/unit/tools/scenario_testing.hpp"
+#include "tools/scenario/field_table.hpp"
+
+namespace surefoot::scenario {
+namespace {
+
+std::vector<Field> all_fields(Scenario& scenario, sim_hw::PayloadConfig& payload) {
+  std::vector<Field> all = fields(scenario);
+  for (const Field& field : fields(payload)) all.push_back(field);
+  return all;
+}
+
+bool is_number(const Field& field) {
+  return !std::holds_alternative<bool*>(field.target) && !std::holds_alternative<Choice>(field.target);
+}
+
+TEST(ScenarioFields, EveryKeyIsDocumentedAndEveryNumberHasAUnitAndARange) {
+  Scenario scenario;
+  sim_hw::PayloadConfig payload;
+  for (const Field& field : all_fields(scenario, payload)) {
+    SCOPED_TRACE(field.key);
+    EXPECT_GE(field.doc.size(), 10U);
+    EXPECT_EQ(is_number(field), !field.unit.empty());
+    if (is_number(field)) EXPECT_LT(field.range.min, field.range.max);
+  }
+}
+
+TEST(ScenarioFields, EveryKeyStandsOnceAndTablesStandTogether) {
+  Scenario scenario;
+  std::set<std::string> keys;
+  std::vector<std::string> tables;
+  for (const Field& field : fields(scenario)) {
+    EXPECT_TRUE(keys.insert(field.key).second) << field.key;
+    const std::string table = field.key.substr(0, field.key.find('.') == std::string::npos ? 0 : field.key.find('.'));
+    if (tables.empty() || tables.back() != table) tables.push_back(table);
+  }
+  EXPECT_EQ(std::set<std::string>(tables.begin(), tables.end()).size(), tables.size());
+}
+
+TEST(ScenarioFields, NamesOfNumbersEndWithTheirUnit) {
+  const std::vector<std::pair<std::string, std::string>> suffixes{{"s", "_s"},     {"m", "_m"},        {"kg", "_kg"},
+                                                                  {"N", "_n"},     {"N m", "_nm"},     {"rad", "_rad"},
+                                                                  {"deg", "_deg"}, {"ticks", "_ticks"}};
+  Scenario scenario;
+  sim_hw::PayloadConfig payload;
+  for (const Field& field : all_fields(scenario, payload)) {
+    for (const auto& [unit, suffix] : suffixes) {
+      if (field.unit == unit) EXPECT_TRUE(field.key.ends_with(suffix)) << field.key << " in " << unit;
+    }
+  }
+}
+
+TEST(ScenarioFields, DefaultsOfBothPlantsAreInRange) {
+  for (const char* plant : {"thesis", "nominal"}) {
+    Scenario scenario = preset(plant);
+    share_numbers(scenario);
+    EXPECT_NO_THROW(validate(scenario)) << plant;
+  }
+}
+
+TEST(ScenarioFields, ListOfKeysAndEffectiveScenarioShowEachKey) {
+  Scenario scenario = load_default();
+  const std::string list = describe_keys();
+  const std::string text = to_toml(scenario);
+  for (const Field& field : fields(scenario)) {
+    EXPECT_THAT(list, testing::HasSubstr("  " + field.key + " "));
+    EXPECT_THAT(list, testing::HasSubstr(field.doc));
+    EXPECT_THAT(text, testing::HasSubstr("\n" + field.key.substr(field.key.find('.') + 1) + " = "));
+  }
+  EXPECT_THAT(list, testing::HasSubstr("  payload.N.mass_kg "));
+}
+
+/// Bytes of an object that some key writes, or that have a reason not to.
+class Coverage {
+ public:
+  template <typename Object>
+  explicit Coverage(const Object& object)
+      : begin_(reinterpret_cast<const std::byte*>(&object)), is_covered_(sizeof(Object)) {}
+
+  void add(const void* member, std::size_t size) {
+    const std::ptrdiff_t offset = static_cast<const std::byte*>(member) - begin_;
+    ASSERT_GE(offset, 0);
+    ASSERT_LE(static_cast<std::size_t>(offset) + size, is_covered_.size());
+    std::fill_n(is_covered_.begin() + offset, size, true);
+  }
+
+  template <typename Member>
+  void add(const Member& member) {
+    add(&member, sizeof(Member));
+  }
+
+  void add(const Field& field) {
+    if (const auto* numbers = std::get_if<Numbers>(&field.target)) {
+      for (const double* number : *numbers) add(*number);
+    } else if (const auto* choice = std::get_if<Choice>(&field.target)) {
+      add(choice->object, 1);
+    } else if (const auto* number = std::get_if<double*>(&field.target)) {
+      add(**number);
+    } else if (const auto* small = std::get_if<std::uint32_t*>(&field.target)) {
+      add(**small);
+    } else if (const auto* large = std::get_if<std::uint64_t*>(&field.target)) {
+      add(**large);
+    } else {
+      add(*std::get<bool*>(field.target));
+    }
+  }
+
+  /// Longest run of bytes that no key writes; up to 7 are padding.
+  std::size_t longest_gap() const {
+    std::size_t longest = 0;
+    std::size_t gap = 0;
+    for (const bool covered : is_covered_) {
+      gap = covered ? 0 : gap + 1;
+      longest = std::max(longest, gap);
+    }
+    return longest;
+  }
+
+ private:
+  const std::byte* begin_;
+  std::vector<bool> is_covered_;
+};
+
+// Catches a member that was added to a configuration and not to the table: it could neither be set
+// nor would it be saved with the run.
+TEST(ScenarioFields, EveryMemberOfTheConfigurationHasAKey) {
+  Scenario scenario;
+  Coverage coverage(scenario);
+  for (const Field& field : fields(scenario)) coverage.add(field);
+  coverage.add(scenario.robot);
+  coverage.add(scenario.plant);
+  coverage.add(scenario.sim.payloads);
+  coverage.add(scenario.sim.geometry);                   // share_numbers
+  coverage.add(scenario.sim.control_period_s);           // share_numbers
+  coverage.add(scenario.firmware.gate.torque_limit_nm);  // share_numbers
+  coverage.add(scenario.sim.time_zero_s);                // the runner's
+  EXPECT_LT(coverage.longest_gap(), 8U);
+
+  sim_hw::PayloadConfig payload;
+  Coverage payload_coverage(payload);
+  for (const Field& field : fields(payload)) payload_coverage.add(field);
+  EXPECT_LT(payload_coverage.longest_gap(), 8U);
+}
+
+TEST(ScenarioFields, NumbersAreWrittenShortAndExactly) {
+  EXPECT_EQ(toml_number(0.1), "0.1");
+  EXPECT_EQ(toml_number(20.0), "20.0");
+  EXPECT_EQ(toml_number(-0.0), "-0.0");
+  EXPECT_EQ(toml_number(1e-5), "1e-05");
+  EXPECT_EQ(toml_number(0.1 + 0.2), "0.30000000000000004");
+}
+
+}  // namespace
+}  // namespace surefoot::scenario

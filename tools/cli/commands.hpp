@@ -1,0 +1,15 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "tools/run/exit_code.hpp"
+
+namespace surefoot::cli {
+
+/// Each adds one subcommand that, when it is called, does its work and sets `result`.
+void add_run(CLI::App& app, run::ExitCode& result);
+void add_replay(CLI::App& app, run::ExitCode& result);
+void add_keys(CLI::App& app, run::ExitCode& result);
+void add_states(CLI::App& app, run::ExitCode& result);
+
+}  // namespace surefoot::cli

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+
+#include "firmware/core/controller.hpp"
+#include "sim_hw/ground_truth.hpp"
+#include "tools/run/verdict.hpp"
+#include "tools/scenario/scenario.hpp"
+
+namespace surefoot::run {
+
+/// Watches a run tick by tick and says how it went. Sees what the log sees: controller output and
+/// ground truth. Does not allocate before the run is over.
+class Judge {
+ public:
+  explicit Judge(const scenario::Scenario& scenario);
+
+  void observe(const TickOutput& output, const sim_hw::GroundTruth& truth) noexcept;
+
+  /// True when nothing more can be learned: the robot lies on the floor or the firmware gave up.
+  [[nodiscard]] bool is_over() const noexcept { return has_fallen_ || fault_ != safety::Fault::kNone; }
+
+  /// @param was_interrupted  stopped from outside before the scenario's end
+  [[nodiscard]] Verdict verdict(bool was_interrupted) const;
+
+ private:
+  void observe_torques(const sim_hw::GroundTruth& truth) noexcept;
+  void observe_gait(const TickOutput& output, double time_s) noexcept;
+  void record_event(const char* event_name, double time_s) noexcept;
+  void decide_outcome(Verdict& verdict, bool was_interrupted) const;
+  [[nodiscard]] static bool was_triggered(const Verdict& verdict);
+
+  static constexpr std::size_t kMaxEvents = 512;
+
+  scenario::VerdictLimits limits_;
+  gait::WalkParameters walk_;
+  decision::ReflexMethod method_;
+  double torque_limit_nm_;
+  double period_s_;
+  double standing_s_;
+  double time_zero_s_;
+  std::size_t payload_count_;
+
+  Verdict partial_{};
+  PerSide<LegVector> last_torque_nm_{};
+  bool has_last_torque_ = false;
+  double ripple_square_sum_ = 0.0;
+  std::uint64_t joint_ticks_ = 0;
+  std::uint64_t joint_ticks_at_limit_ = 0;
+  double slip_at_zero_m_ = 0.0;
+  double slip_m_ = 0.0;
+  double standing_zmp_sum_m_ = 0.0;
+  std::uint64_t standing_zmp_ticks_ = 0;
+  double start_x_m_ = 0.0;
+  double walking_since_s_ = 0.0;
+  double last_payload_kg_ = 0.0;
+  decision::ReflexPhase phase_ = decision::ReflexPhase::kStanding;
+  bool is_single_support_ = false;
+  bool has_fallen_ = false;
+  safety::Fault fault_ = safety::Fault::kNone;
+};
+
+}  // namespace surefoot::run

@@ -1,0 +1,271 @@
+#include "tools/run/lockstep_run.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <memory>
+#include <thread>
+#include <utility>
+
+#include "firmware/core/gait/stance.hpp"
+#include "firmware/core/kinematics/leg_kinematics.hpp"
+#include "firmware/host/allocation_guard.hpp"
+#include "firmware/host/firmware_node.hpp"
+#include "firmware/host/live_publisher.hpp"
+#include "firmware/host/memory_bus.hpp"
+#include "firmware/host/run_recorder.hpp"
+#include "firmware/host/tick_histogram.hpp"
+#include "sim_hw/bus/frame_bits.hpp"
+#include "sim_hw/simulated_robot.hpp"
+#include "tools/run/judge.hpp"
+#include "tools/run/run_folder.hpp"
+#include "tools/run/telemetry_messages.hpp"
+
+namespace surefoot::run {
+namespace {
+
+using WallClock = std::chrono::steady_clock;
+
+double seconds_since(WallClock::time_point start) {
+  return std::chrono::duration<double>(WallClock::now() - start).count();
+}
+
+std::int64_t elapsed_ns(WallClock::time_point start, WallClock::time_point end) {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(end - start).count();
+}
+
+/// Everything that crosses the bus is weighed, and recorded when there is a recorder.
+class BusWatch final : public host::BusTap {
+ public:
+  explicit BusWatch(host::RunRecorder* recorder) : recorder_(recorder) {}
+
+  void on_frame(const can::CanFrame& frame) noexcept override {
+    load_.add(frame);
+    ++frames_;
+    if (recorder_ != nullptr) recorder_->on_frame(frame);
+  }
+
+  [[nodiscard]] double load_percent(double elapsed_s) const noexcept {
+    return load_.percent(static_cast<std::uint64_t>(elapsed_s * 1e9));
+  }
+  [[nodiscard]] std::uint64_t frames() const noexcept { return frames_; }
+
+ private:
+  host::RunRecorder* recorder_;
+  sim_hw::BusLoad load_{};
+  std::uint64_t frames_ = 0;
+};
+
+FootReference standing(const gait::WalkParameters& walk) {
+  return gait::stance(walk, {walk.reference_x_body_m, walk.reference_x_body_m});
+}
+
+/// Time zero on a whole tick, and the number of ticks until the scenario's end.
+struct Schedule {
+  std::int64_t zero_tick;
+  std::int64_t ticks;
+};
+
+Schedule schedule_of(const scenario::Scenario& scenario) {
+  const ControllerConfig& firmware = scenario.firmware;
+  const double zero_s = decision::time_zero_s(firmware.walk, firmware.reflex, firmware.detector);
+  const auto whole_ticks = [&](double time_s) {
+    return static_cast<std::int64_t>(std::ceil(time_s / firmware.period_s - 1e-6));
+  };
+  const std::int64_t zero_tick = whole_ticks(zero_s);
+  return {zero_tick, zero_tick + whole_ticks(scenario.duration_s)};
+}
+
+std::unique_ptr<host::RunRecorder> open_recorder(const scenario::Scenario& scenario, const RunOptions& options) {
+  if (options.folder.empty()) return nullptr;
+  create_run_folder(options.folder);
+  write_whole_file(options.folder / "scenario.toml", scenario::to_toml(scenario));
+  host::RecorderOptions files;
+  files.bus_log = options.folder / "bus.log";
+  files.telemetry_log = options.folder / "telemetry.lcmlog";
+  files.power_up_before_zero_us = std::llround(scenario.sim.time_zero_s * 1e6);
+  if (options.is_live) files.live_provider = host::LivePublisher::kLocalProvider;
+  try {
+    return std::make_unique<host::RunRecorder>(files);
+  } catch (const std::runtime_error& error) {
+    throw RecordingFailure(fmt::format("{}\n  remedy: free disk space, or name a folder that you may write with --out",
+                                       error.what()));
+  }
+}
+
+/// One run from power-up to verdict: owns every part of it.
+class LockstepRun {
+ public:
+  LockstepRun(const scenario::Scenario& scenario, const RunOptions& options, host::RunRecorder* recorder,
+              Schedule schedule)
+      : options_(options),
+        schedule_(schedule),
+        recorder_(recorder),
+        period_s_(scenario.firmware.period_s),
+        time_zero_s_(scenario.sim.time_zero_s),
+        telemetry_every_(scenario.telemetry.every_ticks),
+        watch_(recorder),
+        bus_(&watch_),
+        firmware_(scenario.firmware),
+        robot_(scenario.sim, kinematics::inverse(scenario.firmware.geometry,
+                                                 standing(scenario.firmware.walk)).angle_rad),
+        judge_(scenario) {}
+
+  Verdict run() {
+    const WallClock::time_point start = WallClock::now();
+    std::uint64_t allocations = 0;
+    bool was_interrupted = false;
+    for (; tick_ < schedule_.ticks && !judge_.is_over(); ++tick_) {
+      if (recorder_ != nullptr && !prepare_recorder()) break;
+      if (options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed)) {
+        was_interrupted = true;
+        break;
+      }
+      host::allocation_guard::arm();
+      cycle();
+      allocations += host::allocation_guard::disarm().allocations;
+      if (options_.pace > 0.0) keep_pace(start);
+      if (options_.on_progress && tick_ % 64 == 0) report_progress(start);
+    }
+    const double wall_s = seconds_since(start);
+
+    Verdict verdict = judge_.verdict(was_interrupted);
+    verdict.allocations_in_loop = allocations;
+    verdict.allocations_were_counted = host::allocation_guard::is_available();
+    verdict.tick_us_p50 = tick_times_.p50_us();
+    verdict.tick_us_p999 = tick_times_.p999_us();
+    verdict.tick_us_max = tick_times_.max_us();
+    verdict.real_time_factor = static_cast<double>(tick_) * period_s_ / wall_s;
+    verdict.frames_sent = watch_.frames();
+    verdict.frames_lost = firmware_.counters().lost + firmware_.counters().refused_by_bus;
+    verdict.frames_late = firmware_.counters().rejected[static_cast<std::size_t>(can::Rejection::kLate)];
+    verdict.bus_load_percent = watch_.load_percent(static_cast<double>(tick_) * period_s_);
+    return verdict;
+  }
+
+ private:
+  void cycle() noexcept {
+    const WallClock::time_point begin = WallClock::now();
+    firmware_.begin_tick(bus_.controller_end());
+    const WallClock::time_point sync_sent = WallClock::now();
+    robot_.serve(bus_.robot_end());
+    const WallClock::time_point answered = WallClock::now();
+    static_cast<void>(firmware_.collect(bus_.controller_end()));
+    const TickOutput& output = firmware_.finish_tick(bus_.controller_end());
+    tick_times_.add(elapsed_ns(begin, sync_sent) + elapsed_ns(answered, WallClock::now()));
+    robot_.serve(bus_.robot_end());
+    judge_.observe(output, robot_.truth());
+    if (recorder_ != nullptr) record(output);
+  }
+
+  [[nodiscard]] bool prepare_recorder() {
+    if (recorder_->error() != nullptr) return false;
+    recorder_->wait_for_room();
+    recorder_->set_elapsed(std::llround(static_cast<double>(tick_) * period_s_ * 1e6));
+    return true;
+  }
+
+  void record(const TickOutput& output) noexcept;
+  void record_events(std::int64_t utime_us, const TickOutput& output) noexcept;
+
+  void keep_pace(WallClock::time_point start) const {
+    const double due_s = static_cast<double>(tick_ + 1) * period_s_ / options_.pace;
+    std::this_thread::sleep_until(start + std::chrono::duration_cast<WallClock::duration>(
+                                              std::chrono::duration<double>(due_s)));
+  }
+
+  void report_progress(WallClock::time_point start) {
+    const double wall_s = seconds_since(start);
+    if (wall_s - last_report_s_ < 0.25) return;
+    last_report_s_ = wall_s;
+    const double done_s = static_cast<double>(tick_ + 1) * period_s_;
+    const double factor = done_s / wall_s;
+    Progress progress;
+    progress.time_s = done_s - time_zero_s_;
+    progress.end_s = static_cast<double>(schedule_.ticks) * period_s_ - time_zero_s_;
+    progress.pitch_deg = robot_.truth().pitch_rad * 180.0 / std::numbers::pi;
+    progress.real_time_factor = factor;
+    progress.remaining_wall_s = (static_cast<double>(schedule_.ticks) * period_s_ - done_s) / factor;
+    progress.phase = decision::name(phase_);
+    options_.on_progress(progress);
+  }
+
+  const RunOptions& options_;
+  Schedule schedule_;
+  host::RunRecorder* recorder_;
+  double period_s_;
+  double time_zero_s_;
+  std::uint32_t telemetry_every_;
+  BusWatch watch_;
+  host::MemoryBus bus_;
+  host::FirmwareNode firmware_;
+  sim_hw::SimulatedRobot robot_;
+  Judge judge_;
+  host::TickHistogram tick_times_{};
+  std::int64_t tick_ = 0;
+  double last_report_s_ = 0.0;
+  decision::ReflexPhase phase_ = decision::ReflexPhase::kStanding;
+  double payload_kg_ = 0.0;
+  bool has_fallen_ = false;
+  safety::Fault fault_ = safety::Fault::kNone;
+};
+
+void LockstepRun::record(const TickOutput& output) noexcept {
+  const std::int64_t utime_us = std::llround((output.tick * period_s_ - time_zero_s_) * 1e6);
+  record_events(utime_us, output);
+  if (output.tick % telemetry_every_ == 0) {
+    recorder_->push(host::Channel::kControllerState, utime_us, state_message(utime_us, output, firmware_.snapshot()));
+    recorder_->push(host::Channel::kSimulatorTruth, utime_us, truth_message(utime_us, output.tick, robot_.truth()));
+  }
+  if (output.tick % 100 == 99) {
+    recorder_->push(host::Channel::kBusStatistics, utime_us,
+                    bus_message(utime_us, output.tick, firmware_.counters(),
+                                watch_.load_percent((output.tick + 1) * period_s_)));
+  }
+}
+
+void LockstepRun::record_events(std::int64_t utime_us, const TickOutput& output) noexcept {
+  const auto push = [&](std::int8_t code, const char* event_name, double value) {
+    recorder_->push(host::Channel::kEvent, utime_us, event_message(utime_us, output.tick, code, event_name, value));
+  };
+  const sim_hw::GroundTruth& truth = robot_.truth();
+  phase_ = output.decision.phase;
+  if (output.decision.event) {
+    push(static_cast<std::int8_t>(*output.decision.event), decision::name(*output.decision.event),
+         output.decision.time_in_phase_s);
+  }
+  if (output.decision.is_payload_seen && !output.decision.event) {
+    push(event_t::PAYLOAD_DETECTED, "payload_seen", output.estimate.filtered_force_n);
+  }
+  if (truth.payload_kg != payload_kg_) push(event_t::PAYLOAD_PLACED, "payload_attached", truth.payload_kg - payload_kg_);
+  if (truth.has_fallen != has_fallen_) push(event_t::FELL, "fell", truth.pitch_rad);
+  if (output.fault != fault_) push(event_t::FAULT_LATCHED, safety::name(output.fault), static_cast<double>(output.fault));
+  payload_kg_ = truth.payload_kg;
+  has_fallen_ = truth.has_fallen;
+  fault_ = output.fault;
+}
+
+}  // namespace
+
+Verdict run_lockstep(scenario::Scenario scenario, const RunOptions& options) {
+  const Schedule schedule = schedule_of(scenario);
+  scenario.sim.time_zero_s = static_cast<double>(schedule.zero_tick) * scenario.firmware.period_s;
+  const std::unique_ptr<host::RunRecorder> recorder = open_recorder(scenario, options);
+  LockstepRun run(scenario, options, recorder.get(), schedule);
+  Verdict verdict = run.run();
+  if (!recorder) return verdict;
+
+  const host::RecordingSummary recorded = recorder->finish();
+  verdict.bus_log_sha256 = recorded.bus_log_sha256;
+  if (recorded.error) {
+    throw RecordingFailure(fmt::format("{}\n  the run ended at {:.3f} s; what was recorded until then is kept\n  remedy: "
+                                       "free disk space, or name another folder with --out",
+                                       recorded.error->message, verdict.ended_at_s));
+  }
+  write_whole_file(options.folder / "verdict.json", to_json(verdict));
+  return verdict;
+}
+
+}  // namespace surefoot::run

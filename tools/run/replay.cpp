@@ -1,0 +1,104 @@
+#include "tools/run/replay.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "firmware/host/firmware_node.hpp"
+#include "tools/run/candump_log.hpp"
+#include "tools/scenario/scenario.hpp"
+
+namespace surefoot::run {
+namespace {
+
+/// A bus whose other end is a log: gives what the nodes sent, keeps what the controller sends.
+class RecordedTick final : public can::CanBus {
+ public:
+  std::size_t send(std::span<const can::CanFrame> frames) noexcept override {
+    sent.insert(sent.end(), frames.begin(), frames.end());
+    return frames.size();
+  }
+
+  std::size_t receive(std::span<can::CanFrame> frames) noexcept override {
+    const std::size_t count = std::min(frames.size(), from_nodes.size() - taken);
+    std::copy_n(from_nodes.begin() + static_cast<std::ptrdiff_t>(taken), count, frames.begin());
+    taken += count;
+    return count;
+  }
+
+  void clear() {
+    from_nodes.clear();
+    from_controller.clear();
+    sent.clear();
+    taken = 0;
+  }
+
+  std::vector<can::CanFrame> from_nodes;
+  std::vector<can::CanFrame> from_controller;
+  std::vector<can::CanFrame> sent;
+  std::size_t taken = 0;
+};
+
+bool is_from_controller(const can::CanFrame& frame) {
+  return frame.identifier == can::kSyncIdentifier || frame.identifier == can::command_identifier(can::Node::kLegRight) ||
+         frame.identifier == can::command_identifier(can::Node::kLegLeft) ||
+         frame.identifier == can::heartbeat_identifier(can::Node::kController) ||
+         frame.identifier == can::emergency_identifier(can::Node::kController);
+}
+
+bool are_equal(const can::CanFrame& left, const can::CanFrame& right) {
+  return left.identifier == right.identifier && std::ranges::equal(left.bytes(), right.bytes());
+}
+
+void run_tick(host::FirmwareNode& firmware, RecordedTick& tick, ReplayResult& result) {
+  firmware.begin_tick(tick);
+  static_cast<void>(firmware.collect(tick));
+  firmware.finish_tick(tick);
+  ++result.ticks;
+  result.controller_frames += tick.from_controller.size();
+  const std::size_t count = std::max(tick.sent.size(), tick.from_controller.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool is_same =
+        i < tick.sent.size() && i < tick.from_controller.size() && are_equal(tick.sent[i], tick.from_controller[i]);
+    if (is_same) continue;
+    ++result.differing_frames;
+    if (result.first_difference.empty()) {
+      const std::uint16_t identifier =
+          i < tick.from_controller.size() ? tick.from_controller[i].identifier : tick.sent[i].identifier;
+      result.first_difference = fmt::format("tick {}, identifier 0x{:03X}", result.ticks - 1, identifier);
+    }
+  }
+}
+
+}  // namespace
+
+ReplayResult replay(const std::filesystem::path& run_folder) {
+  const scenario::Scenario scenario = scenario::load(run_folder / "scenario.toml", {});
+  CandumpLogReader log(run_folder / "bus.log");
+  host::FirmwareNode firmware(scenario.firmware);
+  RecordedTick tick;
+  ReplayResult result;
+
+  bool is_first = true;
+  bool has_torques = false;
+  while (const std::optional<LoggedFrame> logged = log.next()) {
+    if (logged->frame.identifier == can::kSyncIdentifier) {
+      if (!is_first) run_tick(firmware, tick, result);
+      is_first = false;
+      has_torques = false;
+      tick.clear();
+    }
+    (is_from_controller(logged->frame) ? tick.from_controller : tick.from_nodes).push_back(logged->frame);
+    has_torques = has_torques || logged->frame.identifier == can::command_identifier(can::Node::kLegLeft);
+  }
+  if (has_torques) {
+    run_tick(firmware, tick, result);
+  } else {
+    result.ends_in_mid_tick = !is_first;
+  }
+  return result;
+}
+
+}  // namespace surefoot::run

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+
+#include "firmware/can/frame_exchange.hpp"
+#include "firmware/core/controller.hpp"
+#include "firmware/core/sensor_snapshot.hpp"
+#include "sim_hw/ground_truth.hpp"
+#include "surefoot/bus_statistics_t.hpp"
+#include "surefoot/controller_state_t.hpp"
+#include "surefoot/event_t.hpp"
+#include "surefoot/simulator_truth_t.hpp"
+
+namespace surefoot::run {
+
+/// One tick as telemetry shows it. @param utime_us  scenario clock
+[[nodiscard]] controller_state_t state_message(std::int64_t utime_us, const TickOutput&, const SensorSnapshot&) noexcept;
+[[nodiscard]] simulator_truth_t truth_message(std::int64_t utime_us, std::uint32_t tick,
+                                              const sim_hw::GroundTruth&) noexcept;
+[[nodiscard]] bus_statistics_t bus_message(std::int64_t utime_us, std::uint32_t tick, const can::FrameCounters&,
+                                           double load_percent) noexcept;
+[[nodiscard]] event_t event_message(std::int64_t utime_us, std::uint32_t tick, std::int8_t code, const char* name,
+                                    double value) noexcept;
+
+}  // namespace surefoot::run

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "firmware/core/joints.hpp"
+#include "tools/run/exit_code.hpp"
+
+namespace surefoot::run {
+
+enum class Outcome : std::uint8_t {
+  kWalked,       ///< no fall, no fault, every limit kept
+  kFell,
+  kLimit,        ///< a limit of the scenario broke, or it ended before the robot had recovered
+  kFault,        ///< the firmware latched a fault
+  kInterrupted,  ///< stopped from outside
+};
+
+[[nodiscard]] const char* name(Outcome outcome) noexcept;
+[[nodiscard]] ExitCode exit_code(Outcome outcome) noexcept;
+
+/// Smallest and largest value seen.
+struct Range {
+  double min = 0.0;
+  double max = 0.0;
+  bool is_empty = true;
+
+  void include(double value) noexcept {
+    if (is_empty || value < min) min = value;
+    if (is_empty || value > max) max = value;
+    is_empty = false;
+  }
+  [[nodiscard]] double largest_magnitude() const noexcept { return -min > max ? -min : max; }
+};
+
+/// Something that happened, on the scenario clock.
+struct TimedEvent {
+  const char* name = "";
+  double time_s = 0.0;
+};
+
+/// What a run is judged by. Angles, torques and slip count from the scenario's time zero.
+struct Verdict {
+  Outcome outcome = Outcome::kWalked;
+  std::string reason;
+  double ended_at_s = 0.0;
+  Range torso_pitch_deg;  ///< beta in the thesis, positive leaning forward
+  Range torso_roll_deg;
+  Range start_up_pitch_deg;  ///< before time zero
+  Range start_up_roll_deg;
+  double distance_m = 0.0;
+  int steps_walked = 0;               ///< touch-downs of the gait since time zero
+  double cycles_after_recovery = 0.0; ///< gait cycles since the last resume, or since time zero
+  std::vector<TimedEvent> events;
+
+  std::array<double, kJointsPerLeg> peak_torque_nm{};  ///< larger of both legs
+  double torque_ripple_nm = 0.0;       ///< root mean square of the change from tick to tick, all joints
+  double time_at_torque_limit_percent = 0.0;  ///< share of joint ticks
+  double foot_slip_mm = 0.0;           ///< load-weighted tangential travel of the soles, per step
+  double standing_zmp_x_body_m = 0.0;  ///< true ZMP, mean over the last half second of the initial standing
+  double threshold_n = 0.0;            ///< payload threshold at the end
+  int unreachable_ticks = 0;
+
+  std::string bus_log_sha256;
+  std::uint64_t allocations_in_loop = 0;
+  bool allocations_were_counted = false;
+  double tick_us_p50 = 0.0, tick_us_p999 = 0.0, tick_us_max = 0.0;
+  double real_time_factor = 0.0;
+  std::uint64_t frames_sent = 0;
+  std::uint64_t frames_lost = 0;
+  std::uint64_t frames_late = 0;
+  double bus_load_percent = 0.0;
+};
+
+/// As `verdict.json` keeps it, and `--json` prints it.
+[[nodiscard]] std::string to_json(const Verdict& verdict);
+
+/// As a person reads it on the terminal.
+[[nodiscard]] std::string to_text(const Verdict& verdict);
+
+}  // namespace surefoot::run

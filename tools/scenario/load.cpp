@@ -1,0 +1,111 @@
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "tools/scenario/checks.hpp"
+#include "tools/scenario/scenario.hpp"
+#include "tools/scenario/toml_reader.hpp"
+
+namespace surefoot::scenario {
+namespace {
+
+/// Four times the longest effective scenario; keeps out /dev/zero, mistaken logs, and keys of so many
+/// parts that the parser's recursion would overflow the stack.
+constexpr std::size_t kLargestFile = 64 * 1024;
+
+/// tools/scenarios/main.toml without its comments.
+constexpr std::string_view kMainJob = R"(plant = "thesis"
+duration_s = 20.0
+
+[reflex]
+method = "original"
+
+[limits]
+max_abs_pitch_deg = 2.5
+
+[[payload]]
+mass_kg = 5.0
+at_s = 1.2
+)";
+
+[[noreturn]] void fail(std::string place, std::string statement, std::string remedy) {
+  throw ScenarioError({{std::move(place), std::move(statement), std::move(remedy)}});
+}
+
+std::string read_text(const std::filesystem::path& file) {
+  const std::string name = file.string();
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (status.type() == std::filesystem::file_type::not_found) {
+    fail(name, "there is no such file", "check the path; scenarios to start from are in tools/scenarios");
+  }
+  if (status.type() == std::filesystem::file_type::directory) {
+    fail(name, "is a directory; expected a scenario file", "name a .toml file in it");
+  }
+  std::ifstream stream(file, std::ios::binary);
+  std::string text;
+  if (stream) {
+    text.resize(kLargestFile + 1);
+    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(stream.gcount()));
+  }
+  if (!stream && !stream.eof()) {
+    fail(name, fmt::format("cannot be read: {}", std::strerror(errno)), "check the permissions of the file");
+  }
+  if (text.size() > kLargestFile) {
+    fail(name, "is larger than 64 KiB; expected a scenario file", "name the scenario, not a log");
+  }
+  return text;
+}
+
+Document parse(const std::string& name, std::string_view text) {
+  try {
+    return {name, toml::parse(text), {}};
+  } catch (const toml::parse_error& error) {
+    const toml::source_position& at = error.source().begin;
+    fail(fmt::format("{}:{}:{}", name, at.line, at.column), fmt::format("is not TOML: {}", error.description()),
+         "correct this line; the file must be UTF-8 text, strings in it stand in quotes");
+  }
+}
+
+}  // namespace
+
+Scenario load(const std::filesystem::path& file, std::span<const std::string> overrides) {
+  return load_text(file.string(), read_text(file), overrides);
+}
+
+Scenario load_text(const std::string& name, std::string_view text, std::span<const std::string> overrides) {
+  Document document = parse(name, text);
+  if (document.root.empty()) {
+    fail(name, "is empty; expected a scenario",
+         "start from tools/scenarios/main.toml, or run without a file for the main job");
+  }
+  apply_overrides(document, overrides);
+  return read_scenario(document);
+}
+
+Scenario load_default(std::span<const std::string> overrides) { return load_text("main job", kMainJob, overrides); }
+
+void share_numbers(Scenario& scenario) {
+  scenario.sim.geometry = scenario.firmware.geometry;
+  scenario.sim.control_period_s = scenario.firmware.period_s;
+  scenario.firmware.gate.torque_limit_nm = scenario.firmware.servo.torque_limit_nm;
+}
+
+void validate(const Scenario& scenario) {
+  std::vector<Problem> problems;
+  const auto add = [&](const std::vector<Finding>& findings) {
+    for (const Finding& finding : findings) problems.push_back({"scenario", finding.statement, finding.remedy});
+  };
+  add(check_ranges(scenario));
+  if (problems.empty()) add(check_relations(scenario));
+  if (!problems.empty()) throw ScenarioError(std::move(problems));
+}
+
+}  // namespace surefoot::scenario

@@ -1,0 +1,77 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "tools/scenario/field_table.hpp"
+
+namespace surefoot::scenario {
+namespace {
+
+std::string table_of(const std::string& key) {
+  const std::size_t dot = key.find('.');
+  return dot == std::string::npos ? "" : key.substr(0, dot);
+}
+
+std::string name_in_table(const std::string& key) { return key.substr(key.find('.') + 1); }
+
+/// What stands behind a key as a comment: its meaning and its limits.
+std::string comment(const Field& field) {
+  if (std::holds_alternative<bool*>(field.target)) return field.doc;
+  const bool is_choice = std::holds_alternative<Choice>(field.target);
+  return field.doc + ": " + (is_choice ? expectation(field) : range_text(field));
+}
+
+void write_line(std::string& text, const Field& field) {
+  fmt::format_to(std::back_inserter(text), "{} = {}  # {}\n", name_in_table(field.key), value_text(field),
+                 comment(field));
+}
+
+void describe(std::string& text, const std::string& key, const Field& field) {
+  fmt::format_to(std::back_inserter(text), "  {:<42} {:<8} {}\n{:>53} {}; default {}\n", key, kind_name(field),
+                 field.doc, "", expectation(field), value_text(field));
+}
+
+}  // namespace
+
+std::string to_toml(const Scenario& scenario) {
+  Scenario written = scenario;
+  std::string text = "# The effective scenario: every key, with its meaning and limits.\n";
+  std::string table;
+  if (written.sim.payloads.empty()) text += "payload = []\n";
+  for (const Field& field : fields(written)) {
+    if (table_of(field.key) != table) {
+      table = table_of(field.key);
+      text += "\n[" + table + "]\n";
+    }
+    write_line(text, field);
+  }
+  for (sim_hw::PayloadConfig& payload : written.sim.payloads) {
+    text += "\n[[payload]]\n";
+    for (const Field& field : fields(payload)) write_line(text, field);
+  }
+  return text;
+}
+
+std::string describe_keys() {
+  Scenario defaults = preset("thesis");
+  std::string text =
+      "Keys of a scenario file, and of --set KEY=VALUE. Defaults are those of the plant \"thesis\";\n"
+      "the plant \"nominal\" has a longer sole and more friction.\n";
+  std::string table;
+  for (const Field& field : fields(defaults)) {
+    if (table_of(field.key) != table) {
+      table = table_of(field.key);
+      text += "\n[" + table + "]\n";
+    }
+    describe(text, field.key, field);
+  }
+  sim_hw::PayloadConfig payload;
+  text += fmt::format(
+      "\n[[payload]], up to {} of them; --set payload.0.mass_kg=5 changes the first, payload=[] removes all\n",
+      kMaxPayloads);
+  for (const Field& field : fields(payload)) describe(text, "payload.N." + field.key, field);
+  return text;
+}
+
+}  // namespace surefoot::scenario
