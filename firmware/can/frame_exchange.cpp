@@ -7,7 +7,8 @@ namespace {
 
 constexpr std::uint32_t kHeartbeatPeriodTicks = 100;
 
-// CiA 301: the upper four bits of an identifier say what it is, the lower seven who sends it.
+// CiA 301: the upper four bits of an identifier say what it is, the lower seven who sends it. The
+// decoders look at the whole of it again.
 constexpr std::uint16_t kFunctionMask = 0x780;
 constexpr std::uint16_t kNodeMask = 0x07F;
 
@@ -74,7 +75,7 @@ void FrameExchange::accept(const CanFrame& frame) noexcept {
   const auto node = static_cast<Node>(frame.identifier & kNodeMask);
   const bool is_sensor_node = node >= Node::kLegRight && node <= Node::kTorsoImu;
   Rejection rejection = Rejection::kUnknownIdentifier;
-  if (is_sensor_node && frame.identifier <= 0x7FF) {
+  if (is_sensor_node) {
     switch (frame.identifier & kFunctionMask) {
       case state_identifier(Node{0}):
         rejection = accept_state(node, frame);

@@ -34,19 +34,23 @@ void BusLogWriter::append(std::int64_t elapsed_us, const can::CanFrame& frame) n
   }
   char* const line = buffer_.data() + used_;
   used_ += static_cast<std::size_t>(format_candump_line(line, elapsed_us, frame) - line);
+  ++buffered_frames_;
 }
 
 void BusLogWriter::flush() noexcept {
   if (error_ || used_ == 0) return;
-  const std::string_view written(buffer_.data(), write_buffer());
-  used_ = 0;
-  const std::size_t last_feed = written.rfind('\n');
-  const std::string_view kept = written.substr(0, last_feed == std::string_view::npos ? 0 : last_feed + 1);
+  std::string_view kept(buffer_.data(), write_buffer());
+  if (error_) {
+    kept = kept.substr(0, kept.rfind('\n') + 1);  // npos + 1 is 0: not even one line
+    buffered_frames_ = static_cast<std::uint64_t>(std::count(kept.begin(), kept.end(), '\n'));
+  }
   digest_.update(kept.data(), kept.size());
   bytes_ += kept.size();
-  frames_ += static_cast<std::uint64_t>(std::count(kept.begin(), kept.end(), '\n'));
+  frames_ += buffered_frames_;
+  used_ = 0;
+  buffered_frames_ = 0;
   // Where cutting is impossible (a device, a pipe) there is nothing to keep whole either.
-  if (kept.size() != written.size()) static_cast<void>(!::ftruncate(file_, static_cast<off_t>(bytes_)));
+  if (error_) static_cast<void>(!::ftruncate(file_, static_cast<off_t>(bytes_)));
 }
 
 /// @return bytes that reached the file

@@ -43,6 +43,7 @@ class BusLogWriter {
   int file_;
   std::vector<char> buffer_;
   std::size_t used_ = 0;
+  std::uint64_t buffered_frames_ = 0;
   std::uint64_t frames_ = 0;
   std::uint64_t bytes_ = 0;
   Sha256 digest_;

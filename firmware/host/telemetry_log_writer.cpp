@@ -59,7 +59,7 @@ void TelemetryLogWriter::flush() noexcept {
 /// Cuts the file back to its last whole event.
 void TelemetryLogWriter::give_up(int error_number) noexcept {
   error_.assign(error_number, std::generic_category());
-  __fpurge(log_->f);  // or closing would write the rest after all
+  __fpurge(log_->f);  // glibc has emptied its buffer by itself after a failed flush, but not after a failed fwrite
   struct stat status {};
   if (::fstat(fileno(log_->f), &status) == 0) {
     const auto size = static_cast<std::uint64_t>(status.st_size);

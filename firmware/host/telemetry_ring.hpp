@@ -21,8 +21,8 @@ enum class Channel : std::uint8_t {
 };
 
 /// LCM channel names, indexed by `Channel`.
-inline constexpr std::array<const char*, 5> kChannelNames{"CONTROLLER_STATE", "EVENT", "SIMULATOR_TRUTH",
-                                                          "BUS_STATISTICS", "TIMING_STATISTICS"};
+inline constexpr std::array<const char*, 5> kChannelNames{"SUREFOOT_STATE", "SUREFOOT_EVENT", "SUREFOOT_TRUTH",
+                                                          "SUREFOOT_BUS", "SUREFOOT_TIMING"};
 
 [[nodiscard]] constexpr const char* name(Channel channel) noexcept {
   return kChannelNames[static_cast<std::size_t>(channel)];

@@ -8,7 +8,7 @@
 namespace surefoot::sim_hw {
 namespace {
 
-/// Payload bytes by DLC (ISO 11898-1:2015, table 5).
+/// Payload bytes by DLC (ISO 11898-1:2015).
 constexpr std::array<std::uint8_t, 16> kLengthByDlc{0, 1, 2, 3, 4, 5, 6, 7, 8, 12, 16, 20, 24, 32, 48, 64};
 constexpr std::uint8_t kLongestPayloadWithCrc17 = 16;
 

@@ -22,7 +22,7 @@ struct BitTiming {
 
 /// Bits of this very frame: CAN FD, 11-bit identifier, bit rate switched, sent by an error-active
 /// node, acknowledged in one bit, followed by 3 bits of intermission. Stuff bits are counted from
-/// the frame's own bits. Source: ISO 11898-1:2015, 10.4 (frame) and 10.5 (bit stuffing).
+/// the frame's own bits. Source: ISO 11898-1:2015, frame format and bit stuffing.
 ///
 /// A length that no DLC stands for is padded with zeros to the next one; identifiers are cut to 11 bits.
 /// Cost: about 0.1 us for 64 bytes.

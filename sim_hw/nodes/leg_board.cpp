@@ -45,6 +45,7 @@ void LegBoard::on_sync(std::uint32_t tick, const LegVector& angle_rad, const Leg
 }
 
 can::Rejection LegBoard::on_command(const can::CanFrame& frame, FrameOutbox& outbox) noexcept {
+  if (frame.identifier != can::command_identifier(can::leg_node(side_))) return can::Rejection::kUnknownIdentifier;
   can::FrameStamp stamp;
   LegCommand command;
   if (const auto rejection = can::decode_leg_command(frame, stamp, command); rejection != can::Rejection::kNone) {

@@ -30,7 +30,7 @@ class LegBoard {
   /// Answers SYNC with the joints as they are; from now on commands must carry this tick.
   void on_sync(std::uint32_t tick, const LegVector& angle_rad, const LegVector& rate_rad_s, FrameOutbox&) noexcept;
 
-  /// Judges a command frame: length, CRC, ranges, tick, counter, and one command a tick. Anything
+  /// Judges a command frame: identifier, length, CRC, ranges, tick, counter, and one command a tick. Anything
   /// but `kNone` leaves the board as it was.
   [[nodiscard]] can::Rejection on_command(const can::CanFrame&, FrameOutbox&) noexcept;
 

@@ -98,8 +98,7 @@ def test_the_verdict_names_the_hash_of_the_log(run_folder: Path):
     assert verdict["bus_log_sha256"] == hashlib.sha256((run_folder / "bus.log").read_bytes()).hexdigest()
 
 
-def test_the_verdict_counts_the_frames_of_the_controller(run_folder: Path, frames, database):
+def test_the_verdict_counts_the_frames_of_the_log(run_folder: Path, frames):
     verdict = json.loads((run_folder / "verdict.json").read_text())
-    sent = sum("CONTROLLER" in database.get_message_by_frame_id(frame.frame_id).senders for frame in frames)
-    assert verdict["frames_sent"] == sent
+    assert verdict["frames_sent"] == len(frames)
     assert verdict["frames_lost"] == 0

@@ -14,7 +14,7 @@ END_S = 9.0
 
 # (time, code, name, value): the time line of El-Kahlout 2003 for 5 kg at 1.2 s, trigger at 1.2625 s.
 EVENTS = [
-    (1.2, 16, "payload_placed", 5.0),
+    (1.2, 16, "payload_attached", 5.0),
     (1.2625, 1, "payload_detected", 1.2625),
     (1.3625, 2, "reflex_done", 0.1),
     (3.3625, 3, "settled", 2.0),

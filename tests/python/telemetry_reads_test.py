@@ -10,7 +10,7 @@ import pytest
 from tools.plots.read_run import Run, read_run
 
 # What must happen after the load, in this order (El-Kahlout 2003, section 3.3).
-_STORY = ["payload_placed", "payload_detected", "reflex_done", "settled", "shifted", "restored", "rested"]
+_STORY = ["payload_attached", "payload_detected", "reflex_done", "settled", "shifted", "restored", "rested"]
 _TICK_S = 1e-3
 
 
@@ -21,7 +21,7 @@ def run(run_folder: Path) -> Run:
 
 def _event_times_s(run: Run) -> dict[str, float]:
     """Times of the events from the load on; each happens once."""
-    placed_s = next(event.time_s for event in run.events if event.name == "payload_placed")
+    placed_s = next(event.time_s for event in run.events if event.name == "payload_attached")
     return {event.name: event.time_s for event in run.events if event.time_s >= placed_s}
 
 
@@ -45,8 +45,8 @@ def test_every_recorded_number_is_finite(run: Run):
 def test_the_events_tell_the_story_in_order(run: Run):
     times_s = _event_times_s(run)
     assert [event.name for event in run.events if event.name in _STORY and event.time_s >= 1.0] == _STORY
-    assert times_s["payload_placed"] == pytest.approx(1.2, abs=_TICK_S)
-    assert 0.0 < times_s["payload_detected"] - times_s["payload_placed"] < 0.15
+    assert times_s["payload_attached"] == pytest.approx(1.2, abs=_TICK_S)
+    assert 0.0 < times_s["payload_detected"] - times_s["payload_attached"] < 0.15
 
 
 # Reflex 0.1 s, settling 2 s, shift 0.5 s, rest of half the settling time.

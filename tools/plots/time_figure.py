@@ -7,6 +7,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
+from matplotlib.ticker import MaxNLocator
 
 from tools.plots import look
 from tools.plots.event_labels import LABEL_SIZE_PT, label_width_in, stack_labels, words
@@ -48,7 +49,7 @@ def _title(run: Run) -> str:
     return title if len(title) <= 105 else title[:104] + "…"
 
 
-def _mark_events(figure: Figure, axes: Sequence[Axes], events: list[Event], levels: list[int]) -> None:
+def _mark_events(axes: Sequence[Axes], events: list[Event], levels: list[int]) -> None:
     top = axes[0]
     for event, level in zip(events, levels):
         line = {"color": look.BLACK, "linewidth": 0.9, "alpha": 0.75}
@@ -109,6 +110,7 @@ def time_figure(run: Run, window: Window, row_heights_in: Sequence[float], subje
     for axis in axes[:-1]:
         axis.tick_params(labelbottom=False)
     axes[0].set_xlim(*window)
+    axes[0].xaxis.set_major_locator(MaxNLocator(nbins=12, steps=[1, 2, 5, 10]))
     axes[-1].set_xlabel("time (s)")
     figure.text(_LEFT_IN / look.FIGURE_WIDTH_IN, 1.0 - 0.2 / height_in, subject, weight="bold", va="center")
     figure.text(
@@ -117,7 +119,7 @@ def time_figure(run: Run, window: Window, row_heights_in: Sequence[float], subje
 
     state = within(run.state, window)
     _shade_phases(figure, axes, phase_spans(state["time_s"], state["phase"]))
-    _mark_events(figure, axes, events, levels)
+    _mark_events(axes, events, levels)
     return figure, axes
 
 

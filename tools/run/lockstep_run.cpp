@@ -239,7 +239,7 @@ void LockstepRun::record_events(std::int64_t utime_us, const TickOutput& output)
   if (output.decision.is_payload_seen && !output.decision.event) {
     push(event_t::PAYLOAD_DETECTED, "payload_seen", output.estimate.filtered_force_n);
   }
-  if (truth.payload_kg != payload_kg_) push(event_t::PAYLOAD_PLACED, "payload_attached", truth.payload_kg - payload_kg_);
+  if (truth.payload_kg != payload_kg_) push(event_t::PAYLOAD_ATTACHED, "payload_attached", truth.payload_kg - payload_kg_);
   if (truth.has_fallen != has_fallen_) push(event_t::FELL, "fell", truth.pitch_rad);
   if (output.fault != fault_) push(event_t::FAULT_LATCHED, safety::name(output.fault), static_cast<double>(output.fault));
   payload_kg_ = truth.payload_kg;

@@ -54,6 +54,11 @@ std::vector<std::string> split(std::string_view key) {
   return parts;
 }
 
+std::string_view trimmed(std::string_view text) {
+  const std::size_t begin = std::min(text.find_first_not_of(" \t"), text.size());
+  return text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
+}
+
 std::optional<std::size_t> parse_index(const std::string& text) {
   std::size_t place = 0;
   const char* end = text.data() + text.size();
@@ -122,7 +127,7 @@ void apply(Document& document, const std::string& text) {
   if (equals == std::string::npos || equals == 0) throw Refused{"expected key=value"};
   const std::string value_text = text.substr(equals + 1);
   if (value_text.find_first_not_of(" \t") == std::string::npos) throw Refused{"has no value; expected key=value"};
-  const std::vector<std::string> parts = split(std::string_view(text).substr(0, equals));
+  const std::vector<std::string> parts = split(trimmed(std::string_view(text).substr(0, equals)));
   const toml::table value = parse_value(value_text);
   const std::string shown = write(document.root, parts, *value.get("value"));
   document.overrides[shown] = "--set " + text.substr(0, kLongestShown);

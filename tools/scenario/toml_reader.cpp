@@ -22,6 +22,7 @@ constexpr std::size_t kLongestShownValue = 60;
 std::string shown(const toml::node& node) {
   if (node.is_table()) return "a table";
   if (const toml::array* array = node.as_array()) return fmt::format("an array of {}", array->size());
+  if (node.is_floating_point()) return toml_number(node.as_floating_point()->get());
   std::ostringstream stream;
   stream << toml::toml_formatter(node, toml::format_flags::none);
   std::string text = stream.str();

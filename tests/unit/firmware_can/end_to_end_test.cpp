@@ -149,8 +149,8 @@ BurstCount undetected_bursts(std::uint8_t length, std::size_t crc_offset) {
   return count;
 }
 
-// The counts across the edge come from an enumeration in Python with a bitwise CRC; there are
-// 458,753 such bursts at each edge (15 * 2^15 - 2^15 + 1).
+// The counts across the edge come from an enumeration in Python with a bitwise CRC, of 458,753 such
+// bursts at each edge (15 starts of 2^15 patterns, less the 2^15 - 1 that end before it).
 TEST(EndToEnd, RefusesEveryBurstOfSixteenBitsButAHandfulAcrossTheEdgeOfItsField) {
   struct Layout {
     std::uint8_t length;

@@ -75,6 +75,7 @@ TEST_F(FrameExchangeTest, SendsItsHeartbeatEveryHundredTicksAfterTheSync) {
     ASSERT_EQ(decode_heartbeat(bus.sent[place], stamp, heartbeat), Rejection::kNone);
     EXPECT_EQ(heartbeat.state, NodeState::kOperational);
     EXPECT_EQ(heartbeat.protocol_version, kProtocolVersion);
+    EXPECT_EQ(stamp.counter, place / 101);
   }
 }
 
@@ -187,6 +188,20 @@ TEST_F(FrameExchangeTest, AcceptsHeartbeatsAndEmergenciesOfNodesOnce) {
   EXPECT_EQ(rejected(Rejection::kRepeated), 2U);
 }
 
+TEST_F(FrameExchangeTest, CountsEachNodeAndEachKindOfFrameOnItsOwn) {
+  std::vector<CanFrame> incoming;
+  for (const Node node : {Node::kLegRight, Node::kLegLeft, Node::kFootRight, Node::kFootLeft, Node::kTorsoImu}) {
+    incoming.push_back(encode_heartbeat(node, {.tick = 1, .counter = 0}, {}));
+    incoming.push_back(encode_emergency(node, {.tick = 1, .counter = 0}, {}));
+  }
+  const std::vector<CanFrame> answer = robot.answer(1);  // counter 0 as well
+  incoming.insert(incoming.end(), answer.begin(), answer.end());
+  static_cast<void>(run_tick(1, incoming));
+  EXPECT_EQ(exchange.counters().received, 15U);
+  EXPECT_EQ(rejected(), 0U);
+  EXPECT_EQ(exchange.counters().lost, 0U);
+}
+
 TEST_F(FrameExchangeTest, RefusesTheHeartbeatOfANodeThatSpeaksAnotherProtocol) {
   static_cast<void>(run_tick(1, {encode_heartbeat(Node::kLegLeft, {}, {.protocol_version = kProtocolVersion + 1})}));
   EXPECT_EQ(rejected(Rejection::kImplausible), 1U);
@@ -218,6 +233,17 @@ TEST_F(FrameExchangeTest, SendsTheTorquesOfThisTickToBothLegs) {
   EXPECT_EQ(stamp.tick, 66'000U & 0xFFFFU);
   EXPECT_EQ(heard.mode, LegMode::kTorque);
   EXPECT_NEAR(heard.torque_nm[5], 6.0, 1e-9);
+}
+
+TEST_F(FrameExchangeTest, CountsItsCommandsUpForEachLeg) {
+  for (int tick = 0; tick < 3; ++tick) exchange.send_commands(bus, {});
+  ASSERT_EQ(bus.sent.size(), 6U);
+  for (std::size_t i = 0; i < bus.sent.size(); ++i) {
+    FrameStamp stamp;
+    LegCommand heard;
+    ASSERT_EQ(decode_leg_command(bus.sent[i], stamp, heard), Rejection::kNone);
+    EXPECT_EQ(stamp.counter, i / 2);
+  }
 }
 
 TEST_F(FrameExchangeTest, CountsWhatTheBusDoesNotTake) {

@@ -98,7 +98,7 @@ TEST(LogWritersDeathTest, AKilledProcessLeavesWholeLinesAndWholeEvents) {
   const auto events = events_of(folder / "t.lcmlog");
   ASSERT_FALSE(events.empty());
   EXPECT_LT(events.size(), 10'000U);
-  constexpr std::size_t kEventBytes = 28 + 5 + 57;  // header, "EVENT", fingerprint and event_t
+  constexpr std::size_t kEventBytes = 28 + 14 + 57;  // header, "SUREFOOT_EVENT", fingerprint and event_t
   EXPECT_EQ(std::filesystem::file_size(folder / "t.lcmlog"), events.size() * kEventBytes);
 }
 

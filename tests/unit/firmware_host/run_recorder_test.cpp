@@ -81,7 +81,7 @@ TEST(RunRecorder, RecordsEveryFrameAndMessageInOrderThroughRingsFarSmallerThanTh
   ASSERT_EQ(events.size(), kTicks);
   EXPECT_EQ(summary.messages, kTicks);
   for (std::uint32_t tick = 0; tick < kTicks; ++tick) {
-    EXPECT_EQ(events[tick].channel, "CONTROLLER_STATE");
+    EXPECT_EQ(events[tick].channel, "SUREFOOT_STATE");
     EXPECT_EQ(events[tick].timestamp_us, std::int64_t{tick} * 1000) << "since power-up, never negative";
     EXPECT_EQ(events[tick].as<controller_state_t>().tick, tick);
   }

@@ -26,11 +26,11 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadInput{"", "walk.toml: is empty; expected a scenario\n  remedy: start from tools/scenarios/main.toml"},
         BadInput{" \n# only a comment\n", "walk.toml: is empty"},
-        BadInput{"seed = \"\xff\"", "walk.toml:1:9: is not TOML: Encountered invalid utf-8 sequence"},
+        BadInput{"seed = \"\xff\"", "walk.toml:1:8: is not TOML: Encountered invalid utf-8 sequence"},
         BadInput{"\xff\xfes\0e\0", "walk.toml:1:1: is not TOML: "},
         BadInput{"[gait]\nhalf_step_m = ", "walk.toml:2:15: is not TOML: "},
         BadInput{"[gait\n", "walk.toml:1:6: is not TOML: "},
-        BadInput{"seed = 1\nseed = 2", "walk.toml:2:1: is not TOML: "}, BadInput{"seed = 0x", "walk.toml:1:"},
+        BadInput{"seed = 1\nseed = 2", "walk.toml:2:8: is not TOML: "}, BadInput{"seed = 0x", "walk.toml:1:"},
         BadInput{"{\"seed\": 1}", "walk.toml:1:1: is not TOML: "}));
 
 INSTANTIATE_TEST_SUITE_P(
@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"[servo]\nkp_nm_per_rad = [1, 2]",
                  "walk.toml:2:17: servo.kp_nm_per_rad is an array of 2; expected an array of 6"},
         BadInput{"[servo]\nkp_nm_per_rad = [1, 2, 3, 4, 5, true]",
-                 "walk.toml:2:34: servo.kp_nm_per_rad[5] is the boolean true; expected a number, 0 to 1000000 N m/rad"},
+                 "walk.toml:2:33: servo.kp_nm_per_rad[5] is the boolean true; expected a number, 0 to 1000000 N m/rad"},
         BadInput{"[gate]\nride_through_ticks = 4294967296",
                  "walk.toml:2:22: gate.ride_through_ticks is 4294967296; expected 0 to 1000 ticks"}));
 
@@ -96,11 +96,11 @@ INSTANTIATE_TEST_SUITE_P(
                  "walk.toml:1:20: physics.step_s is 0.0005; expected control_period_s = 0.0007 s"},
         BadInput{
             "[gait]\nbody_height_m = 0.6",
-            "walk.toml:2:17: the walk needs a leg of 0.5364 m; expected less than thigh and calf together, 0.49 m\n"
+            "walk.toml:2:17: the walk needs a leg of 0.5367 m; expected less than thigh and calf together, 0.49 m\n"
             "  remedy: lower gait.body_height_m"},
         BadInput{
             "[geometry]\ncalf_m = 0.17",
-            "walk.toml:2:10: the walk needs a leg of 0.4453 m; expected less than thigh and calf together, 0.44 m"},
+            "walk.toml:2:10: the walk needs a leg of 0.4451 m; expected less than thigh and calf together, 0.44 m"},
         BadInput{
             "[gait]\nbody_height_m = 0.15",
             "walk.toml:2:17: the swing foot comes within 0.02 m of the hip; expected more than the folded leg, 0.05 m"},

@@ -21,10 +21,10 @@ def draw_force(axis: Axes, state: Columns, events: list[Event]) -> None:
     triggers_s = [e.time_s for e in events if e.code == _PAYLOAD_DETECTED and time_s[0] <= e.time_s <= time_s[-1]]
     if triggers_s:
         axis.plot(triggers_s, np.interp(triggers_s, time_s, filtered_n), "o", color=look.BLACK, markersize=5, label="trigger")
-    # The raw force rings at touch-down; the picture is about the filtered one.
-    shown = np.concatenate((filtered_n, threshold_n[np.isfinite(threshold_n)]))
-    margin_n = 0.25 * (shown.max() - shown.min()) + 5.0
-    axis.set_ylim(shown.min() - margin_n, shown.max() + margin_n)
+    # Feet ring at touch-down and in the reflex; the picture is about the filtered force and its threshold.
+    shown_n = np.concatenate((np.percentile(filtered_n, [2, 98]), threshold_n[np.isfinite(threshold_n)]))
+    margin_n = 0.35 * (shown_n.max() - shown_n.min()) + 10.0
+    axis.set_ylim(shown_n.min() - margin_n, shown_n.max() + margin_n)
     axis.set_ylabel("vertical force (N)")
     legend_beside(axis)
 

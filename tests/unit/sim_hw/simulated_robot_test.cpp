@@ -1,0 +1,213 @@
+#include "sim_hw/simulated_robot.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <stdexcept>
+#include <string>
+
+#include "sim_hw/world/bullet_math.hpp"
+#include "tests/unit/sim_hw/standing.hpp"
+#include "tests/unit/sim_hw/wire.hpp"
+
+namespace surefoot::sim_hw {
+namespace {
+
+using testing::hold;
+using testing::Puppeteer;
+using testing::stance;
+
+/// A robot on its wire, held standing by a PD on what its frames say.
+struct HeldRobot {
+  explicit HeldRobot(const SimConfig& config) : pose(stance(config.geometry)), robot(config, pose), puppeteer(robot) {}
+
+  PerSide<LegVector> wanted() const {
+    const PerSide<LegVector> angle{puppeteer.leg[0].angle_rad, puppeteer.leg[1].angle_rad};
+    const PerSide<LegVector> rate{puppeteer.leg[0].rate_rad_s, puppeteer.leg[1].rate_rad_s};
+    return hold(pose, angle, rate);
+  }
+
+  void tick() {
+    puppeteer.sync();
+    puppeteer.command(wanted());
+  }
+
+  void stand(double duration_s) {
+    for (double t = 0.0; t < duration_s; t += 1.0e-3) tick();
+  }
+
+  PerSide<LegVector> pose;
+  SimulatedRobot robot;
+  Puppeteer puppeteer;
+};
+
+double sum(const FootSensors& foot) {
+  double total = 0.0;
+  for (const double force : foot.corner_force_n) total += force;
+  return total;
+}
+
+TEST(SimulatedRobot, StandsStillOverTheBusAtOneMillisecondOfLatency) {
+  HeldRobot held({});
+  held.stand(2.0);
+  const GroundTruth& truth = held.robot.truth();
+  EXPECT_FALSE(truth.has_fallen);
+  EXPECT_NEAR(truth.pitch_rad, 0.0, 2e-3);
+  EXPECT_NEAR(truth.zmp_x_body_m, -0.035, 0.003);
+  held.puppeteer.sync();
+  EXPECT_NEAR(sum(held.puppeteer.foot[0]) + sum(held.puppeteer.foot[1]), 80.0 * kGravityM_S2, 5.0);
+  EXPECT_NEAR(held.puppeteer.imu.specific_force_body_m_s2.z(), kGravityM_S2, 0.05);
+  EXPECT_NEAR(held.puppeteer.imu.specific_force_body_m_s2.x(), 0.0, 0.05);
+  EXPECT_NEAR(held.puppeteer.imu.angular_rate_body_rad_s.norm(), 0.0, 5e-3);
+  EXPECT_NEAR(truth.time_s, 2.0, 0.0015);
+}
+
+TEST(SimulatedRobot, FeelsItsWeightBeforeTheFirstPeriod) {
+  HeldRobot held({});
+  held.puppeteer.sync();
+  EXPECT_NEAR(sum(held.puppeteer.foot[0]), 40.0 * kGravityM_S2, 0.5);
+  EXPECT_NEAR(sum(held.puppeteer.foot[1]), 40.0 * kGravityM_S2, 0.5);
+  EXPECT_NEAR(held.puppeteer.imu.specific_force_body_m_s2.z(), kGravityM_S2, 0.01);
+  EXPECT_EQ(held.robot.truth().time_s, 0.0);
+}
+
+TEST(SimulatedRobot, GivesTheSameBitsForTheSameInputs) {
+  SimConfig config;
+  config.sensor.encoder_noise_rad = 1.0e-4;
+  config.sensor.force_noise_n = 2.0;
+  config.payloads.push_back({.mass_kg = 5.0, .at_s = 0.05});
+  HeldRobot one(config);
+  HeldRobot two(config);
+  for (int i = 0; i < 300; ++i) {
+    one.puppeteer.sync();
+    two.puppeteer.sync();
+    ASSERT_EQ(one.puppeteer.leg[0].angle_rad, two.puppeteer.leg[0].angle_rad) << i;
+    ASSERT_EQ(one.puppeteer.foot[1].corner_force_n, two.puppeteer.foot[1].corner_force_n) << i;
+    one.puppeteer.command(one.wanted());
+    two.puppeteer.command(two.wanted());
+    ASSERT_EQ(one.robot.truth().body_position_world_m, two.robot.truth().body_position_world_m) << i;
+    ASSERT_EQ(one.robot.truth().slip_m, two.robot.truth().slip_m) << i;
+  }
+}
+
+TEST(SimulatedRobot, SeesOtherNoiseWithAnotherSeed) {
+  SimConfig config;
+  config.sensor.encoder_noise_rad = 1.0e-4;
+  HeldRobot one(config);
+  config.seed = 2;
+  HeldRobot two(config);
+  one.puppeteer.sync();
+  two.puppeteer.sync();
+  EXPECT_NE(one.puppeteer.leg[0].angle_rad, two.puppeteer.leg[0].angle_rad);
+  EXPECT_NE(one.puppeteer.leg[0].angle_rad, one.puppeteer.leg[1].angle_rad) << "each node has noise of its own";
+}
+
+TEST(SimulatedRobot, HangsItsPayloadsAtTheirTimesOnTheScenariosClock) {
+  SimConfig config;
+  config.time_zero_s = 0.1;
+  config.payloads = {{.mass_kg = 3.0, .at_s = 0.05}, {.mass_kg = 2.0, .at_s = -0.05}};  // in any order
+  HeldRobot held(config);
+  EXPECT_DOUBLE_EQ(held.robot.truth().time_s, -0.1);
+  const auto at_end_of_tick = [&](int ticks) {
+    while (static_cast<int>(held.puppeteer.tick) < ticks) held.tick();
+    return held.robot.truth().payload_kg;
+  };
+  EXPECT_EQ(at_end_of_tick(50), 0.0);  // ends at -0.05 s: the load comes with the step that begins there
+  EXPECT_EQ(at_end_of_tick(51), 2.0);
+  EXPECT_EQ(at_end_of_tick(150), 2.0);
+  EXPECT_EQ(at_end_of_tick(151), 5.0);
+}
+
+TEST(SimulatedRobot, WaitsForBothTorqueFrames) {
+  HeldRobot held({});
+  held.puppeteer.sync();
+  held.puppeteer.wire.to_robot.push_back(held.puppeteer.command_frame(Side::kRight, {LegMode::kTorque, {}}));
+  held.robot.serve(held.puppeteer.wire);
+  EXPECT_EQ(held.robot.truth().time_s, 0.0);
+  held.puppeteer.wire.to_robot.push_back(held.puppeteer.command_frame(Side::kLeft, {LegMode::kTorque, {}}));
+  held.robot.serve(held.puppeteer.wire);
+  EXPECT_NEAR(held.robot.truth().time_s, 1.0e-3, 1e-12);
+}
+
+TEST(SimulatedRobot, KeepsTheControllersCountWhenFramesAreLost) {
+  HeldRobot held({});
+  held.stand(0.01);
+  held.puppeteer.sync();     // torques of this tick never come
+  held.puppeteer.tick += 2;  // and two SYNCs are lost
+  held.puppeteer.sync();
+  EXPECT_NEAR(held.robot.truth().time_s, 1.0e-3 * (held.puppeteer.tick - 1), 1e-9);
+  EXPECT_FALSE(held.robot.truth().has_fallen);
+}
+
+TEST(SimulatedRobot, DampsAndRaisesAnEmergencyWhenTheControllerFallsSilent) {
+  HeldRobot held({});
+  held.stand(0.1);
+  for (int i = 0; i < 19; ++i) held.puppeteer.sync();
+  EXPECT_EQ(held.puppeteer.emergencies[0] + held.puppeteer.emergencies[1], 0);
+  EXPECT_FALSE(held.puppeteer.status[0].is_damping);
+  for (int i = 0; i < 5; ++i) held.puppeteer.sync();
+  for (const Side side : kSides) {
+    EXPECT_EQ(held.puppeteer.emergencies[index(side)], 1);
+    EXPECT_EQ(held.puppeteer.last_emergency[index(side)], 0x8130);
+    EXPECT_TRUE(held.puppeteer.status[index(side)].watchdog_expired);
+    EXPECT_TRUE(held.puppeteer.status[index(side)].is_damping);
+  }
+}
+
+TEST(SimulatedRobot, SinksDownWhenNobodyHoldsItAndSaysThatItFell) {
+  HeldRobot held({});
+  for (int i = 0; i < 5000; ++i) held.puppeteer.sync();
+  EXPECT_TRUE(held.robot.truth().has_fallen);
+  EXPECT_TRUE(std::isfinite(held.robot.truth().body_position_world_m[2]));
+}
+
+TEST(SimulatedRobot, CountsWhatItRefuses) {
+  HeldRobot held({});
+  held.stand(0.005);
+  const NodeCounters before = held.robot.counters();
+  held.puppeteer.sync();
+  can::CanFrame corrupt = held.puppeteer.command_frame(Side::kRight, {LegMode::kTorque, {}});
+  corrupt.payload[10] ^= 0x40;
+  can::CanFrame stranger;
+  stranger.identifier = 0x555;
+  stranger.length = 8;
+  held.puppeteer.wire.to_robot = {corrupt, stranger};
+  held.robot.serve(held.puppeteer.wire);
+  const NodeCounters after = held.robot.counters();
+  EXPECT_EQ(after.rejected[static_cast<std::size_t>(can::Rejection::kWrongCrc)],
+            before.rejected[static_cast<std::size_t>(can::Rejection::kWrongCrc)] + 1);
+  EXPECT_EQ(after.rejected[static_cast<std::size_t>(can::Rejection::kUnknownIdentifier)],
+            before.rejected[static_cast<std::size_t>(can::Rejection::kUnknownIdentifier)] + 1);
+  EXPECT_EQ(after.received, before.received + 1) << "the SYNC";
+}
+
+std::string complaint(const SimConfig& config) {
+  try {
+    const SimulatedRobot robot(config, stance({}));
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(SimulatedRobot, RefusesImpossibleConfigurationsWithARemedy) {
+  const auto expect_complaint = [](const auto& spoil, const std::string& field) {
+    SimConfig config;
+    spoil(config);
+    const std::string text = complaint(config);
+    EXPECT_NE(text.find(field), std::string::npos) << text;
+    EXPECT_NE(text.find("remedy: "), std::string::npos) << text;
+  };
+  expect_complaint([](SimConfig& c) { c.physics_step_s = 3.0e-4; }, "physics_step_s is 0.0003");
+  expect_complaint([](SimConfig& c) { c.physics_step_s = 0.0; }, "physics_step_s");
+  expect_complaint([](SimConfig& c) { c.physics_step_s = std::nan(""); }, "physics_step_s");
+  expect_complaint([](SimConfig& c) { c.mass.foot_kg = 0.0; }, "mass.foot_kg");
+  expect_complaint([](SimConfig& c) { c.contact.friction = -0.1; }, "contact.friction");
+  expect_complaint([](SimConfig& c) { c.payloads.push_back({.mass_kg = -5.0}); }, "payload.mass_kg is -5");
+  expect_complaint([](SimConfig& c) { c.watchdog_s = 1.0e-4; }, "watchdog_s");
+  expect_complaint([](SimConfig& c) { c.command_latency_s = 1.0; }, "command_latency_s");
+  EXPECT_EQ(complaint({}), "");
+}
+
+}  // namespace
+}  // namespace surefoot::sim_hw
