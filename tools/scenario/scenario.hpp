@@ -69,7 +69,7 @@ inline constexpr std::size_t kMaxPayloads = 16;
 /// text gives the identical scenario, to the last bit.
 [[nodiscard]] std::string to_toml(const Scenario& scenario);
 
-/// What `surefoot run --list-keys` prints: every key with its kind, unit, range, default and meaning.
+/// What `surefoot keys` prints: every key with its kind, unit, range, default and meaning.
 [[nodiscard]] std::string describe_keys();
 
 /// Copies the numbers that stand once: `sim.geometry`, `sim.control_period_s` and

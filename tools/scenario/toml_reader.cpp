@@ -214,7 +214,7 @@ class Reader {
   void report_unknown(const std::string& key, const Place& place, std::span<const std::string> candidates) {
     const std::string nearest = nearest_key(key, candidates);
     add(place, fmt::format("{} is unknown{}", key, nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest)),
-        "correct or remove it; surefoot run --list-keys shows every key");
+        "correct or remove it; surefoot keys shows every key");
   }
 
   void report(const Finding& finding) {

@@ -91,6 +91,18 @@ TEST(CornerContact, NeitherPullsNorActsAboveTheFloor) {
   EXPECT_EQ(wrench.force_world_n.length(), 0.0) << "no friction without load";
 }
 
+TEST(CornerContact, ForgetsItsAnchorWhenItLeavesTheFloor) {
+  CornerContact contact({}, {});
+  BodyMotion foot{btMatrix3x3::getIdentity(), {0.0, 0.0, -1.0e-4}, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
+  (void)contact.step(foot);
+  foot.position_m = {0.002, 0.0, -1.0e-4};
+  EXPECT_LT(contact.step(foot).force_world_n.x(), -1.0);
+  foot.position_m = {0.002, 0.0, 0.01};
+  (void)contact.step(foot);
+  foot.position_m = {0.002, 0.0, -1.0e-4};
+  EXPECT_EQ(contact.step(foot).force_world_n.x(), 0.0);
+}
+
 TEST(CornerContact, TellsTheCornersApart) {
   const geometry::RobotGeometry geometry;
   CornerContact contact(geometry, {});

@@ -150,6 +150,13 @@ TEST_F(LegBoardTest, ComesBackFromTheWatchdogWithTheNextCommand) {
   EXPECT_EQ(emergency.code, 0x0000);
 }
 
+TEST_F(LegBoardTest, ForgetsCommandsStillOnTheirWayWhenTheWatchdogExpires) {
+  config.command_latency_s = 0.03;
+  sync();
+  ASSERT_EQ(board().on_command(frame(kTorque), outbox), can::Rejection::kNone);
+  for (int i = 0; i < 100; ++i) ASSERT_EQ(step(), damped());
+}
+
 TEST_F(LegBoardTest, NeverRaisesTheWatchdogBeforeTheFirstCommand) {
   for (int i = 0; i < 200; ++i) (void)step();
   EXPECT_TRUE(sent().empty());

@@ -118,6 +118,18 @@ TEST(SimulatedRobot, HangsItsPayloadsAtTheirTimesOnTheScenariosClock) {
   EXPECT_EQ(at_end_of_tick(151), 5.0);
 }
 
+// 0.1 + 0.2 is a hair above 300 steps of 1 ms.
+TEST(SimulatedRobot, IsNotAStepLateForALoadBecauseOfRounding) {
+  SimConfig config;
+  config.physics_step_s = config.control_period_s;
+  config.payloads = {{.mass_kg = 1.0, .at_s = 0.1 + 0.2}};
+  HeldRobot held(config);
+  while (held.puppeteer.tick < 300) held.tick();
+  EXPECT_EQ(held.robot.truth().payload_kg, 0.0);
+  held.tick();
+  EXPECT_EQ(held.robot.truth().payload_kg, 1.0);
+}
+
 TEST(SimulatedRobot, WaitsForBothTorqueFrames) {
   HeldRobot held({});
   held.puppeteer.sync();

@@ -123,7 +123,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadInput{"duraton_s = 20",
                  "walk.toml:1:1: duraton_s is unknown; did you mean duration_s?\n  remedy: correct or remove it; "
-                 "surefoot run --list-keys"},
+                 "surefoot keys"},
         BadInput{"[gait]\n  half_stpe_m = 0.1",
                  "walk.toml:2:3: gait.half_stpe_m is unknown; did you mean gait.half_step_m?"},
         BadInput{"half_step_m = 0.1", "walk.toml:1:1: half_step_m is unknown; did you mean gait.half_step_m?"},
@@ -181,11 +181,9 @@ TEST(ScenarioError, DirectoryIsNotAScenario) {
   EXPECT_THAT(refusal_of_file(testing::TempDir()), HasSubstr("is a directory; expected a scenario file"));
 }
 
+// Opens for everybody and fails at the first byte, root or not: nothing is mapped at address 0.
 TEST(ScenarioError, UnreadableFileSaysWhy) {
-  const std::filesystem::path file = write_file("seed = 1");
-  std::filesystem::permissions(file, std::filesystem::perms::none);
-  if (std::ifstream(file).good()) GTEST_SKIP() << "this user may read everything";
-  EXPECT_THAT(refusal_of_file(file), HasSubstr("cannot be read: Permission denied"));
+  EXPECT_THAT(refusal_of_file("/proc/self/mem"), HasSubstr("cannot be read: Input/output error"));
 }
 
 TEST(ScenarioError, EndlessFileIsRefused) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <set>
 #include <vector>
 
@@ -149,6 +150,32 @@ TEST(ScenarioFields, EveryMemberOfTheConfigurationHasAKey) {
   Coverage payload_coverage(payload);
   for (const Field& field : fields(payload)) payload_coverage.add(field);
   EXPECT_LT(payload_coverage.longest_gap(), 8U);
+}
+
+/// First byte that a key writes.
+const void* address_of(const Field& field) {
+  if (const auto* choice = std::get_if<Choice>(&field.target)) return choice->object;
+  if (const auto* numbers = std::get_if<Numbers>(&field.target)) return numbers->front();
+  if (const auto* number = std::get_if<double*>(&field.target)) return *number;
+  if (const auto* small = std::get_if<std::uint32_t*>(&field.target)) return *small;
+  if (const auto* large = std::get_if<std::uint64_t*>(&field.target)) return *large;
+  return std::get<bool*>(field.target);
+}
+
+// Catches two keys that write each other's member: a round trip does not see it.
+TEST(ScenarioFields, KeysOfATableStandInTheOrderOfTheirMembers) {
+  Scenario scenario;
+  const std::vector<Field> table = fields(scenario);
+  for (std::size_t i = 1; i < table.size(); ++i) {
+    const std::size_t dot = table[i].key.find('.');
+    const bool same_table = dot != std::string::npos && table[i - 1].key.starts_with(table[i].key.substr(0, dot + 1));
+    EXPECT_TRUE(!same_table || std::less<>{}(address_of(table[i - 1]), address_of(table[i]))) << table[i].key;
+  }
+  sim_hw::PayloadConfig payload;
+  const std::vector<Field> payload_table = fields(payload);
+  for (std::size_t i = 1; i < payload_table.size(); ++i) {
+    EXPECT_TRUE(std::less<>{}(address_of(payload_table[i - 1]), address_of(payload_table[i]))) << payload_table[i].key;
+  }
 }
 
 TEST(ScenarioFields, NumbersAreWrittenShortAndExactly) {
