@@ -21,11 +21,12 @@ geometry::Vector3 sole_centre(const geometry::RobotGeometry& geometry) {
 }
 
 /// Adds one point of a manifold to the load of its sole.
-void add_contact(SoleLoad& load, const BodyMotion& foot, const btVector3& position_m, double normal_n) noexcept {
+void add_contact(SoleLoad& load, const BodyMotion& foot, const btVector3& position_m, double normal_n,
+                 double step_s) noexcept {
   const btVector3 arm = position_m - foot.position_m;
   const btVector3 velocity = foot.velocity_m_s + foot.angular_rad_s.cross(arm);
   load.normal_moment_world_nm += normal_n * position_m;
-  load.rubbing_w += normal_n * std::hypot(velocity.x(), velocity.y());
+  load.sliding_n_m += normal_n * std::hypot(velocity.x(), velocity.y()) * step_s;
 }
 
 }  // namespace
@@ -125,7 +126,7 @@ void BulletFloor::step(RobotModel& robot, const PerSide<LegVector>& motor_torque
         SoleLoad& load = load_[index(side)];
         load.normal_n[world_->corner_at(sole_is_first ? point.m_localPointA : point.m_localPointB)] += normal_n;
         add_contact(load, foot[index(side)], sole_is_first ? point.getPositionWorldOnA() : point.getPositionWorldOnB(),
-                    normal_n);
+                    normal_n, step_s);
       }
     }
   }

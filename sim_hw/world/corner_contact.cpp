@@ -32,7 +32,9 @@ SoleWrench CornerContact::step(const BodyMotion& foot) noexcept {
     double spring_y = -config_.tangential_stiffness_n_per_m * (position.y() - anchor.y_m);
     const double spring_squared = spring_x * spring_x + spring_y * spring_y;
     if (spring_squared > limit * limit) {
-      const double kept = limit / std::sqrt(spring_squared);
+      const double spring = std::sqrt(spring_squared);
+      const double kept = limit / spring;
+      wrench.load.sliding_n_m += normal * (spring - limit) / config_.tangential_stiffness_n_per_m;
       spring_x *= kept;
       spring_y *= kept;
       anchor.x_m = position.x() + spring_x / config_.tangential_stiffness_n_per_m;
@@ -51,7 +53,6 @@ SoleWrench CornerContact::step(const BodyMotion& foot) noexcept {
     wrench.torque_world_nm += arm.cross(force);
     wrench.load.normal_n[i] = normal;
     wrench.load.normal_moment_world_nm += normal * position;
-    wrench.load.rubbing_w += normal * std::sqrt(velocity.x() * velocity.x() + velocity.y() * velocity.y());
   }
   return wrench;
 }

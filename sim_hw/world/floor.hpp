@@ -10,7 +10,7 @@ namespace surefoot::sim_hw {
 struct SoleLoad {
   std::array<double, geometry::kCornersPerFoot> normal_n{};  ///< at each corner, never negative
   btVector3 normal_moment_world_nm{0, 0, 0};                 ///< sum of normal force times corner position
-  double rubbing_w = 0.0;                                    ///< sum of normal force times tangential speed
+  double sliding_n_m = 0.0;                                  ///< sum of normal force times the way slid in this step
 
   [[nodiscard]] double normal_sum_n() const noexcept { return normal_n[0] + normal_n[1] + normal_n[2] + normal_n[3]; }
 };

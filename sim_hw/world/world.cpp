@@ -43,7 +43,7 @@ void World::advance(const PerSide<LegVector>& motor_torque_nm, double step_s) no
   floor_->step(robot_, motor_torque_nm, step_s);
   const PerSide<SoleLoad>& load = floor_->loads();
   const double carried_n = load[0].normal_sum_n() + load[1].normal_sum_n();
-  if (carried_n > 0.0) slip_m_ += (load[0].rubbing_w + load[1].rubbing_w) / carried_n * step_s;
+  if (carried_n > 0.0) slip_m_ += (load[0].sliding_n_m + load[1].sliding_n_m) / carried_n;
 }
 
 void World::hang(const PayloadConfig& payload) noexcept {

@@ -58,7 +58,7 @@ struct Verdict {
   std::array<double, kJointsPerLeg> peak_torque_nm{};  ///< larger of both legs
   double torque_ripple_nm = 0.0;       ///< root mean square of the change from tick to tick, all joints
   double time_at_torque_limit_percent = 0.0;  ///< share of joint ticks
-  double foot_slip_mm = 0.0;           ///< load-weighted tangential travel of the soles, per step
+  double foot_slip_mm = 0.0;           ///< way the soles slid, weighted with their load, per step
   double standing_zmp_x_body_m = 0.0;  ///< true ZMP, mean over the last half second of the initial standing
   double threshold_n = 0.0;            ///< payload threshold at the end
   int unreachable_ticks = 0;

@@ -76,7 +76,7 @@ struct Sequence {
     const double shift_m = std::clamp(error_m, -reflex.max_shift_m, reflex.max_shift_m);
     state.decision.adaptation_m = shift_m;
     state.decision.reference_x_body_m += shift_m;
-    carry_threshold(state.detector, estimate.filtered_force_n - state.standing_force_n);
+    rearm(detector, state.detector, estimate.filtered_force_n - state.standing_force_n);
     state.standing_force_n = estimate.filtered_force_n;
     const FootReference start = end_of_motion();
     FootReference end = start;
@@ -167,7 +167,7 @@ Decision step(const gait::WalkParameters& walk, const ReflexConfig& reflex, cons
     }
   }
   decision.time_in_phase_s = sequence.time_in_phase_s();
-  decision.is_detector_armed = state.detector.stage == DetectorStage::kArmed;
+  decision.is_detector_armed = state.detector.threshold_n > 0.0;
   decision.threshold_n = state.detector.threshold_n;
   ++state.tick;
   return decision;

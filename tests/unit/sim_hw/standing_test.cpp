@@ -108,6 +108,55 @@ TEST(Standing, CarriesTheSameWeightOnBulletsOwnContacts) {
   for (const Side side : kSides) {
     for (const double corner_n : robot.world.loads()[index(side)].normal_n) EXPECT_GE(corner_n, 0.0);
     EXPECT_NEAR(robot.world.loads()[index(side)].normal_sum_n(), 0.5 * 784.8, 8.0);
+    // Four rigid corners share a load in many ways, but front against rear follows from statics.
+    const SoleLoad& load = robot.world.loads()[index(side)];
+    const SoleLoad& sprung = reference.world.loads()[index(side)];
+    EXPECT_NEAR(load.normal_n[0] + load.normal_n[1], sprung.normal_n[0] + sprung.normal_n[1], 3.0);
+  }
+}
+
+// Forces times the places of their corners give the moment that the solver reports: none is booked elsewhere.
+TEST(Standing, BooksEachOfBulletsForcesUnderTheCornerWhereItActs) {
+  SimConfig config;
+  config.contact.model = ContactModel::kBullet;
+  StandingRobot robot(config);
+  PayloadConfig payload;
+  payload.mass_kg = 20.0;
+  payload.position_m = {0.2, 0.3, 0.25};  // left and front carry more
+  robot.world.hang(payload);
+  robot.stand(0.5);
+  for (const Side side : kSides) {
+    const SoleLoad& load = robot.world.loads()[index(side)];
+    const BodyMotion foot = robot.world.robot().foot_motion(side);
+    btVector3 moment{0, 0, 0};
+    for (std::size_t i = 0; i < geometry::kCornersPerFoot; ++i) {
+      const btVector3 corner = to_bullet(config.geometry.corner_foot_m(static_cast<geometry::Corner>(i)));
+      moment += load.normal_n[i] * (foot.position_m + foot.rotation_world_from_body * corner);
+    }
+    EXPECT_NEAR(moment.x(), load.normal_moment_world_nm.x(), 0.05);
+    EXPECT_NEAR(moment.y(), load.normal_moment_world_nm.y(), 0.05);
+    EXPECT_GT(std::abs(load.normal_n[0] + load.normal_n[2] - load.normal_n[1] - load.normal_n[3]), 5.0);
+  }
+}
+
+// The whole robot slides at 0.5 m/s: Coulomb slows it by mu g, and all its travel is slip.
+TEST(Standing, SlidesToAHaltByCoulombsLawOnEitherFloor) {
+  for (const ContactModel model : {ContactModel::kSpringDamper, ContactModel::kBullet}) {
+    SimConfig config;
+    config.contact.model = model;
+    config.contact.friction = 0.1;
+    StandingRobot robot(config);
+    robot.stand(0.5);
+    RobotModel& body = robot.world.robot();
+    body.place_body(body.body_position_world_m(), body.rotation_world_from_body(), {0.5, 0.0, 0.0},
+                    geometry::Vector3::Zero());
+    robot.stand(0.05);  // friction builds up
+    const testing::Momentum start = testing::momentum(body);
+    const double slip_m = robot.world.slip_m();
+    robot.stand(0.2);
+    const testing::Momentum end = testing::momentum(body);
+    EXPECT_NEAR((start.linear_n_s.x() - end.linear_n_s.x()) / start.mass_kg, 0.1 * kGravityM_S2 * 0.2, 0.02);
+    EXPECT_NEAR(robot.world.slip_m() - slip_m, end.com_world_m.x() - start.com_world_m.x(), 0.005);
   }
 }
 

@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 
 #include "tests/unit/sim_hw/standing.hpp"
-#include "tests/unit/sim_hw/wire.hpp"
 
 namespace surefoot::sim_hw {
 namespace {
@@ -74,21 +73,6 @@ TEST_F(TruthRecorderTest, FeelsNoWeightInFreeFall) {
   world.advance({}, 5.0e-4);
   recorder.close_period(world, {}, 0.0, 2, 1.0e-3);
   EXPECT_LT(recorder.torso().specific_force_body_m_s2.norm(), 1e-9);
-}
-
-TEST(ImuNode, SendsWhatTheTorsoFeels) {
-  ImuNode node({}, 1);
-  FrameOutbox outbox;
-  testing::Wire wire;
-  node.on_sync(77, {.angular_rate_body_rad_s = {0.5, -1.0, 1.5}, .specific_force_body_m_s2 = {1.0, -2.0, 9.5}}, outbox);
-  outbox.flush(wire);
-  ASSERT_EQ(wire.from_robot.size(), 1U);
-  can::FrameStamp stamp;
-  ImuSensors imu;
-  ASSERT_EQ(can::decode_imu(wire.from_robot[0], stamp, imu), can::Rejection::kNone);
-  EXPECT_EQ(stamp.tick, 77U);
-  EXPECT_LT((imu.angular_rate_body_rad_s - Vector3(0.5, -1.0, 1.5)).norm(), 1e-3);
-  EXPECT_LT((imu.specific_force_body_m_s2 - Vector3(1.0, -2.0, 9.5)).norm(), 1e-2);
 }
 
 }  // namespace
