@@ -10,9 +10,10 @@
 
 namespace surefoot::testing {
 
-/// Runs the main job with overrides, unrecorded.
-inline run::Verdict run_main_job(const std::vector<std::string>& overrides, const run::RunOptions& options = {}) {
-  return run::run_lockstep(scenario::load_default(overrides), options);
+/// Runs a scenario of tools/scenarios with overrides, unrecorded unless the options name a folder.
+inline run::Verdict run_scenario(const std::string& name, const std::vector<std::string>& overrides = {},
+                                 const run::RunOptions& options = {}) {
+  return run::run_lockstep(scenario::load(SUREFOOT_SCENARIOS "/" + name + ".toml", overrides), options);
 }
 
 /// Time of the first event of that name at or after `from_s`.

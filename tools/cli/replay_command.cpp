@@ -17,7 +17,8 @@ run::ExitCode replay_folder(const std::string& folder) {
     fmt::print("  replayed     {} ticks, {} frames of the controller, {} differ{}\n", result.ticks,
                result.controller_frames, result.differing_frames,
                result.first_difference.empty() ? "" : fmt::format("; the first: {}", result.first_difference));
-    if (result.ends_in_mid_tick) fmt::print("  note         the log ends in the middle of a tick, which was left out\n");
+    if (result.ends_in_mid_tick)
+      fmt::print("  note         the log ends in the middle of a tick, which was left out\n");
     if (result.ticks == 0) {
       fmt::print(stderr, "{}/bus.log: holds no whole tick\n  remedy: record the run again\n", folder);
       return run::ExitCode::kBadInput;

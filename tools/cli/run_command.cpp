@@ -102,7 +102,9 @@ void add_run(CLI::App& app, run::ExitCode& result) {
   command->add_flag("--json", arguments->is_json, "Print verdict.json instead of text");
   command->add_flag("--live", arguments->is_live, "Publish telemetry over LCM too (udpm, ttl 0)");
   command->add_flag("--no-record", arguments->is_unrecorded, "Write no run folder");
-  command->add_option("--pace", arguments->pace, "Simulated seconds per wall second, 1 to watch live; 0 as fast as it goes")
+  command
+      ->add_option("--pace", arguments->pace,
+                   "Simulated seconds per wall second, 1 to watch live; 0 as fast as it goes")
       ->check(CLI::Range(0.0, 1000.0));
   command->footer(
       "Examples:\n"

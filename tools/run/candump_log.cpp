@@ -58,8 +58,8 @@ std::optional<LoggedFrame> parse_candump_line(const std::string& line) {
 
 CandumpLogReader::CandumpLogReader(const std::filesystem::path& path) : path_(path), file_(path) {
   if (!file_) {
-    throw CandumpLogError(fmt::format("{}: can not be read\n  remedy: give a run folder that `surefoot run` wrote",
-                                      path.string()));
+    throw CandumpLogError(
+        fmt::format("{}: can not be read\n  remedy: give a run folder that `surefoot run` wrote", path.string()));
   }
 }
 
@@ -68,9 +68,10 @@ std::optional<LoggedFrame> CandumpLogReader::next() {
   ++line_number_;
   std::optional<LoggedFrame> logged = parse_candump_line(line_);
   if (!logged) {
-    throw CandumpLogError(fmt::format("{}:{}: not a CAN FD frame of candump -L: '{}'\n  remedy: record with "
-                                      "`surefoot run` or `candump -L`",
-                                      path_.string(), line_number_, line_.substr(0, 80)));
+    throw CandumpLogError(
+        fmt::format("{}:{}: not a CAN FD frame of candump -L: '{}'\n  remedy: record with "
+                    "`surefoot run` or `candump -L`",
+                    path_.string(), line_number_, line_.substr(0, 80)));
   }
   return logged;
 }

@@ -129,8 +129,8 @@ void Judge::decide_outcome(Verdict& verdict, bool was_interrupted) const {
     decide(Outcome::kLimit, fmt::format("torso pitch reached {:.2f} deg, limits.max_abs_pitch_deg is {}",
                                         largest_pitch_deg, limits_.max_abs_pitch_deg));
   } else if (limits_.max_abs_roll_deg > 0.0 && largest_roll_deg > limits_.max_abs_roll_deg) {
-    decide(Outcome::kLimit, fmt::format("torso roll reached {:.2f} deg, limits.max_abs_roll_deg is {}", largest_roll_deg,
-                                        limits_.max_abs_roll_deg));
+    decide(Outcome::kLimit, fmt::format("torso roll reached {:.2f} deg, limits.max_abs_roll_deg is {}",
+                                        largest_roll_deg, limits_.max_abs_roll_deg));
   } else if (needs_recovery && verdict.cycles_after_recovery < limits_.min_cycles_after_recovery) {
     decide(Outcome::kLimit,
            fmt::format("{:.2f} cycles walked after recovery, limits.min_cycles_after_recovery is {}; a longer "

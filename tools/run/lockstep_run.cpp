@@ -4,8 +4,8 @@
 
 #include <chrono>
 #include <cmath>
-#include <numbers>
 #include <memory>
+#include <numbers>
 #include <thread>
 #include <utility>
 
@@ -90,8 +90,8 @@ std::unique_ptr<host::RunRecorder> open_recorder(const scenario::Scenario& scena
   try {
     return std::make_unique<host::RunRecorder>(files);
   } catch (const std::runtime_error& error) {
-    throw RecordingFailure(fmt::format("{}\n  remedy: free disk space, or name a folder that you may write with --out",
-                                       error.what()));
+    throw RecordingFailure(
+        fmt::format("{}\n  remedy: free disk space, or name a folder that you may write with --out", error.what()));
   }
 }
 
@@ -109,8 +109,8 @@ class LockstepRun {
         watch_(recorder),
         bus_(&watch_),
         firmware_(scenario.firmware),
-        robot_(scenario.sim, kinematics::inverse(scenario.firmware.geometry,
-                                                 standing(scenario.firmware.walk)).angle_rad),
+        robot_(scenario.sim,
+               kinematics::inverse(scenario.firmware.geometry, standing(scenario.firmware.walk)).angle_rad),
         judge_(scenario) {}
 
   Verdict run() {
@@ -172,8 +172,8 @@ class LockstepRun {
 
   void keep_pace(WallClock::time_point start) const {
     const double due_s = static_cast<double>(tick_ + 1) * period_s_ / options_.pace;
-    std::this_thread::sleep_until(start + std::chrono::duration_cast<WallClock::duration>(
-                                              std::chrono::duration<double>(due_s)));
+    std::this_thread::sleep_until(
+        start + std::chrono::duration_cast<WallClock::duration>(std::chrono::duration<double>(due_s)));
   }
 
   void report_progress(WallClock::time_point start) {
@@ -220,9 +220,9 @@ void LockstepRun::record(const TickOutput& output) noexcept {
     recorder_->push(host::Channel::kSimulatorTruth, utime_us, truth_message(utime_us, output.tick, robot_.truth()));
   }
   if (output.tick % 100 == 99) {
-    recorder_->push(host::Channel::kBusStatistics, utime_us,
-                    bus_message(utime_us, output.tick, firmware_.counters(),
-                                watch_.load_percent((output.tick + 1) * period_s_)));
+    recorder_->push(
+        host::Channel::kBusStatistics, utime_us,
+        bus_message(utime_us, output.tick, firmware_.counters(), watch_.load_percent((output.tick + 1) * period_s_)));
   }
 }
 
@@ -239,9 +239,11 @@ void LockstepRun::record_events(std::int64_t utime_us, const TickOutput& output)
   if (output.decision.is_payload_seen && !output.decision.event) {
     push(event_t::PAYLOAD_DETECTED, "payload_seen", output.estimate.filtered_force_n);
   }
-  if (truth.payload_kg != payload_kg_) push(event_t::PAYLOAD_ATTACHED, "payload_attached", truth.payload_kg - payload_kg_);
+  if (truth.payload_kg != payload_kg_)
+    push(event_t::PAYLOAD_ATTACHED, "payload_attached", truth.payload_kg - payload_kg_);
   if (truth.has_fallen != has_fallen_) push(event_t::FELL, "fell", truth.pitch_rad);
-  if (output.fault != fault_) push(event_t::FAULT_LATCHED, safety::name(output.fault), static_cast<double>(output.fault));
+  if (output.fault != fault_)
+    push(event_t::FAULT_LATCHED, safety::name(output.fault), static_cast<double>(output.fault));
   payload_kg_ = truth.payload_kg;
   has_fallen_ = truth.has_fallen;
   fault_ = output.fault;
@@ -260,9 +262,10 @@ Verdict run_lockstep(scenario::Scenario scenario, const RunOptions& options) {
   const host::RecordingSummary recorded = recorder->finish();
   verdict.bus_log_sha256 = recorded.bus_log_sha256;
   if (recorded.error) {
-    throw RecordingFailure(fmt::format("{}\n  the run ended at {:.3f} s; what was recorded until then is kept\n  remedy: "
-                                       "free disk space, or name another folder with --out",
-                                       recorded.error->message, verdict.ended_at_s));
+    throw RecordingFailure(
+        fmt::format("{}\n  the run ended at {:.3f} s; what was recorded until then is kept\n  remedy: "
+                    "free disk space, or name another folder with --out",
+                    recorded.error->message, verdict.ended_at_s));
   }
   write_whole_file(options.folder / "verdict.json", to_json(verdict));
   return verdict;

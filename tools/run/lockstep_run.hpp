@@ -12,7 +12,7 @@ namespace surefoot::run {
 
 /// Where a run stands, for a progress line.
 struct Progress {
-  double time_s = 0.0;      ///< scenario clock
+  double time_s = 0.0;  ///< scenario clock
   double end_s = 0.0;
   double pitch_deg = 0.0;
   double real_time_factor = 0.0;
@@ -21,10 +21,10 @@ struct Progress {
 };
 
 struct RunOptions {
-  std::filesystem::path folder;            ///< run folder; empty: nothing is recorded
-  bool is_live = false;                    ///< also publish telemetry over LCM (udpm, ttl 0)
-  double pace = 0.0;                       ///< simulated seconds per wall second; 0: as fast as it goes
-  const std::atomic<bool>* stop = nullptr; ///< set from outside to end the run early
+  std::filesystem::path folder;                      ///< run folder; empty: nothing is recorded
+  bool is_live = false;                              ///< also publish telemetry over LCM (udpm, ttl 0)
+  double pace = 0.0;                                 ///< simulated seconds per wall second; 0: as fast as it goes
+  const std::atomic<bool>* stop = nullptr;           ///< set from outside to end the run early
   std::function<void(const Progress&)> on_progress;  ///< called about four times a second, between ticks
 };
 

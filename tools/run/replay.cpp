@@ -42,7 +42,8 @@ class RecordedTick final : public can::CanBus {
 };
 
 bool is_from_controller(const can::CanFrame& frame) {
-  return frame.identifier == can::kSyncIdentifier || frame.identifier == can::command_identifier(can::Node::kLegRight) ||
+  return frame.identifier == can::kSyncIdentifier ||
+         frame.identifier == can::command_identifier(can::Node::kLegRight) ||
          frame.identifier == can::command_identifier(can::Node::kLegLeft) ||
          frame.identifier == can::heartbeat_identifier(can::Node::kController) ||
          frame.identifier == can::emergency_identifier(can::Node::kController);

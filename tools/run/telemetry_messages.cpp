@@ -29,7 +29,8 @@ controller_state_t state_message(std::int64_t utime_us, const TickOutput& output
   message.reference_x_body_m = output.decision.reference_x_body_m;
   for (const Side side : kSides) {
     const std::size_t i = index(side);
-    for (int axis = 0; axis < 3; ++axis) message.foot_reference_m[i][axis] = output.foot_reference[i].position_body_m[axis];
+    for (int axis = 0; axis < 3; ++axis)
+      message.foot_reference_m[i][axis] = output.foot_reference[i].position_body_m[axis];
     copy(sensors.leg[i].angle_rad, message.joint_angle_rad[i]);
     copy(sensors.leg[i].rate_rad_s, message.joint_rate_rad_s[i]);
     copy(output.command[i].torque_nm, message.torque_command_nm[i]);

@@ -14,7 +14,8 @@
 namespace surefoot::run {
 
 /// One tick as telemetry shows it. @param utime_us  scenario clock
-[[nodiscard]] controller_state_t state_message(std::int64_t utime_us, const TickOutput&, const SensorSnapshot&) noexcept;
+[[nodiscard]] controller_state_t state_message(std::int64_t utime_us, const TickOutput&,
+                                               const SensorSnapshot&) noexcept;
 [[nodiscard]] simulator_truth_t truth_message(std::int64_t utime_us, std::uint32_t tick,
                                               const sim_hw::GroundTruth&) noexcept;
 [[nodiscard]] bus_statistics_t bus_message(std::int64_t utime_us, std::uint32_t tick, const can::FrameCounters&,

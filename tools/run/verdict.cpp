@@ -28,22 +28,31 @@ std::string event_time_line(const Verdict& verdict) {
 
 const char* name(Outcome outcome) noexcept {
   switch (outcome) {
-    case Outcome::kWalked: return "walked";
-    case Outcome::kFell: return "fell";
-    case Outcome::kLimit: return "limit";
-    case Outcome::kFault: return "fault";
-    case Outcome::kInterrupted: return "interrupted";
+    case Outcome::kWalked:
+      return "walked";
+    case Outcome::kFell:
+      return "fell";
+    case Outcome::kLimit:
+      return "limit";
+    case Outcome::kFault:
+      return "fault";
+    case Outcome::kInterrupted:
+      return "interrupted";
   }
   return "unknown";
 }
 
 ExitCode exit_code(Outcome outcome) noexcept {
   switch (outcome) {
-    case Outcome::kWalked: return ExitCode::kVerdictHolds;
+    case Outcome::kWalked:
+      return ExitCode::kVerdictHolds;
     case Outcome::kFell:
-    case Outcome::kLimit: return ExitCode::kFellOrLimit;
-    case Outcome::kFault: return ExitCode::kFault;
-    case Outcome::kInterrupted: return ExitCode::kInterrupted;
+    case Outcome::kLimit:
+      return ExitCode::kFellOrLimit;
+    case Outcome::kFault:
+      return ExitCode::kFault;
+    case Outcome::kInterrupted:
+      return ExitCode::kInterrupted;
   }
   return ExitCode::kBug;
 }
@@ -107,10 +116,11 @@ std::string to_text(const Verdict& verdict) {
                       1e3 * verdict.standing_zmp_x_body_m);
   text += fmt::format("  bus          {} frames, {} lost, {} late, load {:.1f} %\n", verdict.frames_sent,
                       verdict.frames_lost, verdict.frames_late, verdict.bus_load_percent);
-  text += fmt::format("  tick         p50 {:.2f}, p99.9 {:.2f}, max {:.1f} us; {} allocations in the loop; {:.1f} x real time\n",
-                      verdict.tick_us_p50, verdict.tick_us_p999, verdict.tick_us_max,
-                      verdict.allocations_were_counted ? fmt::format("{}", verdict.allocations_in_loop) : "uncounted",
-                      verdict.real_time_factor);
+  text += fmt::format(
+      "  tick         p50 {:.2f}, p99.9 {:.2f}, max {:.1f} us; {} allocations in the loop; {:.1f} x real time\n",
+      verdict.tick_us_p50, verdict.tick_us_p999, verdict.tick_us_max,
+      verdict.allocations_were_counted ? fmt::format("{}", verdict.allocations_in_loop) : "uncounted",
+      verdict.real_time_factor);
   return text;
 }
 

@@ -11,7 +11,7 @@
 namespace surefoot::run {
 
 enum class Outcome : std::uint8_t {
-  kWalked,       ///< no fall, no fault, every limit kept
+  kWalked,  ///< no fall, no fault, every limit kept
   kFell,
   kLimit,        ///< a limit of the scenario broke, or it ended before the robot had recovered
   kFault,        ///< the firmware latched a fault
@@ -51,14 +51,14 @@ struct Verdict {
   Range start_up_pitch_deg;  ///< before time zero
   Range start_up_roll_deg;
   double distance_m = 0.0;
-  int steps_walked = 0;               ///< touch-downs of the gait since time zero
-  double cycles_after_recovery = 0.0; ///< gait cycles since the last resume, or since time zero
+  int steps_walked = 0;                ///< touch-downs of the gait since time zero
+  double cycles_after_recovery = 0.0;  ///< gait cycles since the last resume, or since time zero
   std::vector<TimedEvent> events;
 
   std::array<double, kJointsPerLeg> peak_torque_nm{};  ///< larger of both legs
-  double torque_ripple_nm = 0.0;       ///< root mean square of the change from tick to tick, all joints
-  double time_at_torque_limit_percent = 0.0;  ///< share of joint ticks
-  double foot_slip_mm = 0.0;           ///< way the soles slid, weighted with their load, per step
+  double torque_ripple_nm = 0.0;                       ///< root mean square of the change from tick to tick, all joints
+  double time_at_torque_limit_percent = 0.0;           ///< share of joint ticks
+  double foot_slip_mm = 0.0;                           ///< way the soles slid, weighted with their load, per step
   double standing_zmp_x_body_m = 0.0;  ///< true ZMP, mean over the last half second of the initial standing
   double threshold_n = 0.0;            ///< payload threshold at the end
   int unreachable_ticks = 0;

@@ -10,7 +10,8 @@ namespace surefoot::decision {
 namespace {
 
 constexpr double kPeriod_s = 1.0e-3;
-const PayloadDetectorConfig kConfig{.warm_up_s = 0.1, .learning_s = 0.2, .margin_n = 3.0};
+const PayloadDetectorConfig kConfig{
+    .warm_up_s = 0.1, .learning_s = 0.2, .margin_n = 3.0, .relearning_s = 0.1, .resume_margin_n = 60.0};
 
 /// Walks `ticks` ticks from `first` on with a constant force; returns how often the detector fired.
 int walk(PayloadDetectorState& state, std::int64_t first, std::int64_t ticks, double force_n) {
@@ -62,15 +63,53 @@ TEST(PayloadDetector, FiresOncePerCrossing) {
   EXPECT_EQ(walk(state, 451, 50, 800.0), 1);
 }
 
-TEST(PayloadDetector, CarriesItsThresholdToTheNewWeightAndIsArmedAtOnce) {
-  PayloadDetectorState state = armed_at(784.0);
-  EXPECT_EQ(walk(state, 301, 1, 834.0), 1);
-  carry_threshold(state, 49.0);
-  EXPECT_DOUBLE_EQ(state.threshold_n, 836.0);
-  EXPECT_EQ(walk(state, 0, 200, 834.0), 0);
-  EXPECT_EQ(walk(state, 200, 1, 836.1), 1);
-  carry_threshold(state, -98.0);
-  EXPECT_DOUBLE_EQ(state.threshold_n, 738.0);
+// After a recovery from 5 kg: 49 N heavier, threshold 787 N carried to 836 N and raised to 896 N.
+PayloadDetectorState resumed_from(double force_n) {
+  PayloadDetectorState state = armed_at(force_n);
+  EXPECT_EQ(walk(state, 301, 1, force_n + 50.0), 1);
+  rearm(kConfig, state, 49.0);
+  return state;
+}
+
+TEST(PayloadDetector, IsArmedFromTheFirstStepAfterARecoveryWithARaisedThreshold) {
+  PayloadDetectorState state = resumed_from(784.0);
+  EXPECT_EQ(state.stage, DetectorStage::kResuming);
+  EXPECT_DOUBLE_EQ(state.threshold_n, 896.0);
+  EXPECT_EQ(walk(state, 0, 50, 895.9), 0) << "a hard landing of the first step is no payload";
+  EXPECT_EQ(walk(state, 50, 1, 896.1), 1);
+}
+
+TEST(PayloadDetector, LearnsTheLoadedWalkAfterARecovery) {
+  PayloadDetectorState state = resumed_from(784.0);
+  walk(state, 0, 100, 890.0);  // the first step is not learnt
+  walk(state, 100, 100, 850.0);
+  EXPECT_EQ(state.stage, DetectorStage::kResuming);
+  walk(state, 200, 1, 840.0);
+  EXPECT_EQ(state.stage, DetectorStage::kArmed);
+  EXPECT_DOUBLE_EQ(state.threshold_n, 853.0);
+}
+
+TEST(PayloadDetector, KeepsTheRelearnedThresholdBetweenTheCarriedAndTheRaisedOne) {
+  PayloadDetectorState quiet = resumed_from(784.0);
+  walk(quiet, 0, 201, 800.0);
+  EXPECT_DOUBLE_EQ(quiet.threshold_n, 836.0);
+  PayloadDetectorState rough = resumed_from(784.0);
+  walk(rough, 0, 201, 895.0);
+  EXPECT_DOUBLE_EQ(rough.threshold_n, 896.0);
+}
+
+TEST(PayloadDetector, CarriesFromWhatItLearnedWhenTheNextPayloadComesBeforeItHasLearnedAnew) {
+  PayloadDetectorState state = resumed_from(784.0);
+  EXPECT_EQ(walk(state, 0, 50, 900.0), 1);
+  rearm(kConfig, state, 98.0);
+  EXPECT_DOUBLE_EQ(state.carried_n, 934.0);
+  EXPECT_DOUBLE_EQ(state.threshold_n, 994.0);
+}
+
+TEST(PayloadDetector, FollowsALoadThatIsTakenAway) {
+  PayloadDetectorState state = resumed_from(784.0);
+  rearm(kConfig, state, -49.0);
+  EXPECT_DOUBLE_EQ(state.carried_n, 787.0);
 }
 
 TEST(TickTime, CountsWholeTicksHoweverTheyWereRounded) {

@@ -168,7 +168,7 @@ TEST(ReflexSequence, MeetsASecondPayloadFromTheFirstStepOn) {
   const auto second = run.find(ReflexEvent::kPayloadDetected, resumed->time_s);
   ASSERT_NE(second, run.ticks.end());
   EXPECT_TRUE(resumed->decision.is_detector_armed);
-  EXPECT_DOUBLE_EQ(resumed->decision.threshold_n, 787.8 + 49.0);
+  EXPECT_DOUBLE_EQ(resumed->decision.threshold_n, 787.8 + 49.0 + 60.0);
   EXPECT_NEAR(second->time_s, 23.2, 1.5e-3);
   EXPECT_DOUBLE_EQ(run.ticks.back().decision.threshold_n, 787.8 + 98.0);
   EXPECT_EQ(run.ticks.back().decision.phase, ReflexPhase::kWalking);

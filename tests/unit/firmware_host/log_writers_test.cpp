@@ -67,7 +67,7 @@ TEST(TelemetryLogWriter, WritesWhatLcmReadsBackAndKnowsItsSize) {
     const auto number = static_cast<std::int64_t>(i);
     EXPECT_EQ(events[i].number, number);
     EXPECT_EQ(events[i].timestamp_us, number);
-    EXPECT_EQ(events[i].channel, "EVENT");
+    EXPECT_EQ(events[i].channel, "SUREFOOT_EVENT");
     EXPECT_EQ(events[i].as<event_t>().tick, number);
   }
   EXPECT_EQ(writer.messages(), 10'000U);

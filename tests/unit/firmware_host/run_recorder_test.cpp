@@ -206,7 +206,7 @@ TEST(RunRecorder, AWriteCutInTheMiddleKeepsWholeLinesAndWholeEventsAndTheProcess
   const auto events = events_of(folder / "telemetry.lcmlog");
   ASSERT_FALSE(events.empty());
   EXPECT_EQ(events.size(), summary.messages);
-  const std::uint64_t event_bytes = 28 + 16 + static_cast<std::uint64_t>(controller_state_t{}.getEncodedSize());
+  const std::uint64_t event_bytes = 28 + 14 + static_cast<std::uint64_t>(controller_state_t{}.getEncodedSize());
   EXPECT_EQ(events.size(), 300'001U / event_bytes) << "as many as fit";
   EXPECT_EQ(std::filesystem::file_size(folder / "telemetry.lcmlog"), events.size() * event_bytes);
   EXPECT_EQ(summary.telemetry_log_bytes, events.size() * event_bytes);

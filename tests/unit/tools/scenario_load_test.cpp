@@ -42,7 +42,7 @@ TEST(ScenarioLoad, PlantThesisIsTheDefaultAndHasAShortSoleAndASlipperyFloor) {
   const Scenario scenario = load_text("walk.toml", "seed = 3");
   EXPECT_EQ(scenario.plant, "thesis");
   EXPECT_EQ(scenario.firmware.geometry.sole_heel_m, 0.0923);
-  EXPECT_EQ(scenario.firmware.geometry.sole_toe_m, 0.1225);
+  EXPECT_EQ(scenario.firmware.geometry.sole_toe_m, 0.1228);
   EXPECT_EQ(scenario.firmware.geometry.sole_width_m, 0.138);
   EXPECT_EQ(scenario.sim.contact.friction, 0.11);
 }
@@ -58,7 +58,7 @@ TEST(ScenarioLoad, PlantNominalHasTheLongSoleAndNormalFriction) {
 TEST(ScenarioLoad, KeysOfTheFileWinOverThePlant) {
   const Scenario scenario = load_text("walk.toml", "plant = \"thesis\"\n[floor]\nfriction = 0.3");
   EXPECT_EQ(scenario.sim.contact.friction, 0.3);
-  EXPECT_EQ(scenario.firmware.geometry.sole_toe_m, 0.1225);
+  EXPECT_EQ(scenario.firmware.geometry.sole_toe_m, 0.1228);
 }
 
 TEST(ScenarioLoad, PlantOfAnOverrideIsThePreset) {
