@@ -25,7 +25,7 @@ class World {
   [[nodiscard]] const RobotModel& robot() const noexcept { return robot_; }
   /// Floor forces of the last step.
   [[nodiscard]] const PerSide<SoleLoad>& loads() const noexcept { return floor_->loads(); }
-  /// Tangential travel of the corners, each weighted with its share of the load, so far.
+  /// Way the soles have slid, each corner weighted with its share of the load.
   [[nodiscard]] double slip_m() const noexcept { return slip_m_; }
   /// Mass of all boxes hung on so far.
   [[nodiscard]] double payload_kg() const noexcept { return payload_kg_; }

@@ -18,6 +18,7 @@ _WORDS = {
     4: "shifted",
     5: "step restored",
     6: "walks on",
+    7: "payload seen",
     16: "+{value:.3g} kg",
     17: "fell",
     32: "fault {value:.0f}",

@@ -29,11 +29,8 @@ Judge::Judge(const scenario::Scenario& scenario)
   partial_.events.reserve(kMaxEvents);
 }
 
-void Judge::record_event(const char* event_name, double time_s) noexcept {
-  if (partial_.events.size() < kMaxEvents) partial_.events.push_back({event_name, time_s});
-}
-
-void Judge::observe(const TickOutput& output, const sim_hw::GroundTruth& truth) noexcept {
+void Judge::observe(const TickOutput& output, const sim_hw::GroundTruth& truth,
+                    std::span<const RunEvent> events) noexcept {
   const double time_s = output.tick * period_s_ - time_zero_s_;
   partial_.ended_at_s = time_s;
   const bool is_scored = time_s >= 0.0;
@@ -58,17 +55,10 @@ void Judge::observe(const TickOutput& output, const sim_hw::GroundTruth& truth) 
 
   observe_gait(output, time_s);
 
-  if (truth.payload_kg != last_payload_kg_) {
-    record_event("payload_attached", time_s);
-    last_payload_kg_ = truth.payload_kg;
-  }
-  if (truth.has_fallen && !has_fallen_) {
-    has_fallen_ = true;
-    record_event("fell", time_s);
-  }
-  if (output.fault != fault_) {
-    fault_ = output.fault;
-    record_event(safety::name(fault_), time_s);
+  has_fallen_ = truth.has_fallen;
+  fault_ = output.fault;
+  for (const RunEvent& event : events) {
+    if (partial_.events.size() < kMaxEvents) partial_.events.push_back({event.name, time_s});
   }
 }
 
@@ -92,9 +82,6 @@ void Judge::observe_torques(const sim_hw::GroundTruth& truth) noexcept {
 
 void Judge::observe_gait(const TickOutput& output, double time_s) noexcept {
   const decision::Decision& decision = output.decision;
-  if (decision.event) record_event(decision::name(*decision.event), time_s);
-  if (decision.is_payload_seen && !decision.event) record_event("payload_seen", time_s);
-
   const bool starts_walking = decision.phase == decision::ReflexPhase::kWalking && phase_ != decision.phase;
   if (starts_walking) walking_since_s_ = std::max(time_s, 0.0);
   phase_ = decision.phase;

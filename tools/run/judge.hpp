@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "firmware/core/controller.hpp"
 #include "sim_hw/ground_truth.hpp"
+#include "tools/run/event_watch.hpp"
 #include "tools/run/verdict.hpp"
 #include "tools/scenario/scenario.hpp"
 
@@ -15,7 +17,8 @@ class Judge {
  public:
   explicit Judge(const scenario::Scenario& scenario);
 
-  void observe(const TickOutput& output, const sim_hw::GroundTruth& truth) noexcept;
+  /// @param events  of this tick, as `EventWatch` gives them
+  void observe(const TickOutput& output, const sim_hw::GroundTruth& truth, std::span<const RunEvent> events) noexcept;
 
   /// True when nothing more can be learned: the robot lies on the floor or the firmware gave up.
   [[nodiscard]] bool is_over() const noexcept { return has_fallen_ || fault_ != safety::Fault::kNone; }
@@ -26,7 +29,6 @@ class Judge {
  private:
   void observe_torques(const sim_hw::GroundTruth& truth) noexcept;
   void observe_gait(const TickOutput& output, double time_s) noexcept;
-  void record_event(const char* event_name, double time_s) noexcept;
   void decide_outcome(Verdict& verdict, bool was_interrupted) const;
   [[nodiscard]] static bool was_triggered(const Verdict& verdict);
 
@@ -53,7 +55,6 @@ class Judge {
   std::uint64_t standing_zmp_ticks_ = 0;
   double start_x_m_ = 0.0;
   double walking_since_s_ = 0.0;
-  double last_payload_kg_ = 0.0;
   decision::ReflexPhase phase_ = decision::ReflexPhase::kStanding;
   bool is_single_support_ = false;
   bool has_fallen_ = false;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <span>
 #include <thread>
 #include <utility>
 
@@ -19,6 +20,7 @@
 #include "firmware/host/tick_histogram.hpp"
 #include "sim_hw/bus/frame_bits.hpp"
 #include "sim_hw/simulated_robot.hpp"
+#include "tools/run/event_watch.hpp"
 #include "tools/run/judge.hpp"
 #include "tools/run/run_folder.hpp"
 #include "tools/run/telemetry_messages.hpp"
@@ -156,8 +158,10 @@ class LockstepRun {
     const TickOutput& output = firmware_.finish_tick(bus_.controller_end());
     tick_times_.add(elapsed_ns(begin, sync_sent) + elapsed_ns(answered, WallClock::now()));
     robot_.serve(bus_.robot_end());
-    judge_.observe(output, robot_.truth());
-    if (recorder_ != nullptr) record(output);
+    const std::span<const RunEvent> events = events_.observe(output, robot_.truth());
+    judge_.observe(output, robot_.truth(), events);
+    phase_ = output.decision.phase;
+    if (recorder_ != nullptr) record(output, events);
   }
 
   [[nodiscard]] bool prepare_recorder() {
@@ -167,8 +171,7 @@ class LockstepRun {
     return true;
   }
 
-  void record(const TickOutput& output) noexcept;
-  void record_events(std::int64_t utime_us, const TickOutput& output) noexcept;
+  void record(const TickOutput& output, std::span<const RunEvent> events) noexcept;
 
   void keep_pace(WallClock::time_point start) const {
     const double due_s = static_cast<double>(tick_ + 1) * period_s_ / options_.pace;
@@ -202,19 +205,20 @@ class LockstepRun {
   host::MemoryBus bus_;
   host::FirmwareNode firmware_;
   sim_hw::SimulatedRobot robot_;
+  EventWatch events_{};
   Judge judge_;
   host::TickHistogram tick_times_{};
   std::int64_t tick_ = 0;
   double last_report_s_ = 0.0;
   decision::ReflexPhase phase_ = decision::ReflexPhase::kStanding;
-  double payload_kg_ = 0.0;
-  bool has_fallen_ = false;
-  safety::Fault fault_ = safety::Fault::kNone;
 };
 
-void LockstepRun::record(const TickOutput& output) noexcept {
+void LockstepRun::record(const TickOutput& output, std::span<const RunEvent> events) noexcept {
   const std::int64_t utime_us = std::llround((output.tick * period_s_ - time_zero_s_) * 1e6);
-  record_events(utime_us, output);
+  for (const RunEvent& event : events) {
+    recorder_->push(host::Channel::kEvent, utime_us,
+                    event_message(utime_us, output.tick, event.code, event.name, event.value));
+  }
   if (output.tick % telemetry_every_ == 0) {
     recorder_->push(host::Channel::kControllerState, utime_us, state_message(utime_us, output, firmware_.snapshot()));
     recorder_->push(host::Channel::kSimulatorTruth, utime_us, truth_message(utime_us, output.tick, robot_.truth()));
@@ -224,29 +228,6 @@ void LockstepRun::record(const TickOutput& output) noexcept {
         host::Channel::kBusStatistics, utime_us,
         bus_message(utime_us, output.tick, firmware_.counters(), watch_.load_percent((output.tick + 1) * period_s_)));
   }
-}
-
-void LockstepRun::record_events(std::int64_t utime_us, const TickOutput& output) noexcept {
-  const auto push = [&](std::int8_t code, const char* event_name, double value) {
-    recorder_->push(host::Channel::kEvent, utime_us, event_message(utime_us, output.tick, code, event_name, value));
-  };
-  const sim_hw::GroundTruth& truth = robot_.truth();
-  phase_ = output.decision.phase;
-  if (output.decision.event) {
-    push(static_cast<std::int8_t>(*output.decision.event), decision::name(*output.decision.event),
-         output.decision.time_in_phase_s);
-  }
-  if (output.decision.is_payload_seen && !output.decision.event) {
-    push(event_t::PAYLOAD_DETECTED, "payload_seen", output.estimate.filtered_force_n);
-  }
-  if (truth.payload_kg != payload_kg_)
-    push(event_t::PAYLOAD_ATTACHED, "payload_attached", truth.payload_kg - payload_kg_);
-  if (truth.has_fallen != has_fallen_) push(event_t::FELL, "fell", truth.pitch_rad);
-  if (output.fault != fault_)
-    push(event_t::FAULT_LATCHED, safety::name(output.fault), static_cast<double>(output.fault));
-  payload_kg_ = truth.payload_kg;
-  has_fallen_ = truth.has_fallen;
-  fault_ = output.fault;
 }
 
 }  // namespace

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "firmware/core/controller.hpp"
+#include "sim_hw/ground_truth.hpp"
+
+namespace surefoot::run {
+
+/// Something that happened in one tick; codes and meaning of the value: lcm_types/event_t.lcm.
+struct RunEvent {
+  std::int8_t code = 0;
+  const char* name = "";
+  double value = 0.0;
+};
+
+/// Turns what changes from tick to tick into events, for telemetry and verdict alike.
+class EventWatch {
+ public:
+  /// @return the events of this tick, valid until the next call; mostly none
+  [[nodiscard]] std::span<const RunEvent> observe(const TickOutput& output, const sim_hw::GroundTruth& truth) noexcept;
+
+ private:
+  void add(std::int8_t code, const char* name, double value) noexcept { events_[count_++] = {code, name, value}; }
+
+  std::array<RunEvent, 6> events_{};  ///< at most one of each kind in a tick
+  std::size_t count_ = 0;
+  double payload_kg_ = 0.0;
+  bool has_fallen_ = false;
+  bool is_reachable_ = true;
+  safety::Fault fault_ = safety::Fault::kNone;
+};
+
+}  // namespace surefoot::run
