@@ -121,8 +121,8 @@ Rejection FrameExchange::accept_leg_state(Side side, const CanFrame& frame) noex
   Rejection rejection = decode_leg_state(frame, stamp, heard, status);
   if (rejection == Rejection::kNone) rejection = judge_state(leg_node(side), stamp);
   if (rejection != Rejection::kNone) return rejection;
+  heard.is_damping = status.is_damping;
   snapshot_.leg[index(side)] = heard;
-  leg_status_[index(side)] = status;
   return Rejection::kNone;
 }
 
@@ -162,6 +162,7 @@ Rejection FrameExchange::accept_emergency(Node node, const CanFrame& frame) noex
 
 Rejection FrameExchange::judge_state(Node node, FrameStamp stamp) noexcept {
   if (stamp.tick != (tick_ & 0xFFFFU)) return Rejection::kLate;
+  if (answered_[slot(node)]) return Rejection::kRepeated;  // the first answer counts; a second is somebody else's
   const Rejection rejection = judge_counter(state_watch_[slot(node)], stamp);
   if (rejection == Rejection::kNone) answered_[slot(node)] = true;
   return rejection;

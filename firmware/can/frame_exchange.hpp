@@ -41,7 +41,6 @@ class FrameExchange {
   void send_commands(CanBus& bus, const PerSide<LegCommand>& command) noexcept;
 
   [[nodiscard]] const FrameCounters& counters() const noexcept { return counters_; }
-  [[nodiscard]] const PerSide<LegStatus>& leg_status() const noexcept { return leg_status_; }
 
  private:
   static constexpr std::size_t kBatchFrames = 32;
@@ -60,7 +59,6 @@ class FrameExchange {
   [[nodiscard]] Rejection judge_counter(CounterWatch& watch, FrameStamp stamp) noexcept;
 
   SensorSnapshot snapshot_{};
-  PerSide<LegStatus> leg_status_{};
   FrameCounters counters_{};
   std::array<CounterWatch, kSensorNodes> state_watch_{};  ///< by node, 1 to 5; so are the next three
   std::array<CounterWatch, kSensorNodes> heartbeat_watch_{};

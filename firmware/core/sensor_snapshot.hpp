@@ -22,7 +22,8 @@ struct Freshness {
 struct LegSensors {
   LegVector angle_rad{};
   LegVector rate_rad_s{};
-  LegVector torque_nm{};  ///< applied by the motors, after the board's own limits
+  LegVector torque_nm{};    ///< applied by the motors, after the board's own limits
+  bool is_damping = false;  ///< the board ignores torques and damps its joints, by command or by its own watchdog
   Freshness freshness;
 };
 

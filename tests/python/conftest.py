@@ -42,3 +42,11 @@ def run_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def synthetic_run(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A run folder made up from the formulas of the walk."""
     return write_synthetic_run(tmp_path_factory.mktemp("synthetic") / "made_up")
+
+
+@pytest.fixture(scope="session")
+def without_privilege() -> list[str]:
+    """The begin of a command line that is refused what its user may not do, also where that user is root."""
+    if os.geteuid() != 0:
+        return []
+    return ["setpriv", "--bounding-set=-dac_override,-dac_read_search"]

@@ -85,7 +85,7 @@ def _event(time_s: float, code: int, name: str, value: float):
 def write_synthetic_run(folder: Path, end_s: float = END_S) -> Path:
     """Writes scenario.toml, verdict.json and telemetry.lcmlog; returns the folder."""
     folder.mkdir(parents=True, exist_ok=True)
-    (folder / "scenario.toml").write_text('plant = "thesis"\n[servo]\ntorque_limit_nm = 200.0\n')
+    (folder / "scenario.toml").write_text('plant = "thesis"\n[drive]\ntorque_limit_nm = 200.0\n')
     (folder / "verdict.json").write_text(json.dumps({"verdict": "walked", "reason": "2.1 cycles after recovery"}))
     records = [(time_s, "SUREFOOT_EVENT", _event(time_s, *rest)) for time_s, *rest in EVENTS if time_s <= end_s]
     walk_s = START_S

@@ -19,11 +19,9 @@ run::ExitCode replay_folder(const std::string& folder) {
                result.first_difference.empty() ? "" : fmt::format("; the first: {}", result.first_difference));
     if (result.ends_in_mid_tick)
       fmt::print("  note         the log ends in the middle of a tick, which was left out\n");
-    if (result.ticks == 0) {
-      fmt::print(stderr, "{}/bus.log: holds no whole tick\n  remedy: record the run again\n", folder);
-      return run::ExitCode::kBadInput;
-    }
     return result.differing_frames == 0 ? run::ExitCode::kVerdictHolds : run::ExitCode::kFellOrLimit;
+  } catch (const run::RunFolderError& error) {
+    fmt::print(stderr, "{}\n", error.what());
   } catch (const scenario::ScenarioError& error) {
     fmt::print(stderr, "{}\n", error.what());
   } catch (const run::CandumpLogError& error) {
@@ -38,9 +36,12 @@ void add_replay(CLI::App& app, run::ExitCode& result) {
   auto folder = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand(
       "replay", "Feed the recorded node frames to the firmware and require identical frames from it.");
-  command->add_option("run", *folder, "Run folder with scenario.toml and bus.log")->required();
+  command->add_option("folder", *folder, "Run folder that surefoot run wrote, with scenario.toml and bus.log")
+      ->required()
+      ->type_name("DIR");
   command->footer(
-      "Exit codes: 0 identical, 2 frames differ, 65 unreadable run folder.\n"
+      "A run that was killed replays up to its last whole tick.\n"
+      "Exit codes: 0 identical, 2 frames differ, 64 usage, 65 no run in that folder, or not a whole tick of it.\n"
       "Example:\n  surefoot replay runs/demo");
   command->callback([folder, &result] { result = replay_folder(*folder); });
 }

@@ -2,21 +2,26 @@
 #include <unistd.h>
 
 #include <atomic>
-#include <chrono>
+#include <charconv>
 #include <csignal>
 #include <ctime>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "tools/cli/commands.hpp"
 #include "tools/run/lockstep_run.hpp"
+#include "tools/run/run_folder.hpp"
 #include "tools/scenario/scenario.hpp"
 
 namespace surefoot::cli {
 namespace {
 
 std::atomic<bool> stop_requested{false};
+
+constexpr double kSlowestPace = 0.01;  // a stop is heard between two ticks
+constexpr double kFastestPace = 1000.0;
 
 extern "C" void request_stop(int) { stop_requested.store(true); }
 
@@ -27,6 +32,7 @@ struct RunArguments {
   bool is_json = false;
   bool is_live = false;
   bool is_unrecorded = false;
+  bool overwrites = false;
   double pace = 0.0;
 };
 
@@ -39,6 +45,12 @@ std::filesystem::path default_folder(const RunArguments& arguments) {
   char stamp[32];
   std::strftime(stamp, sizeof stamp, "%Y%m%d-%H%M%S", &calendar);
   return std::filesystem::path("runs") / fmt::format("{}-{}", stem, stamp);
+}
+
+std::filesystem::path folder_of(const RunArguments& arguments) {
+  if (arguments.folder.empty()) return run::claim_run_folder(default_folder(arguments));
+  if (!arguments.overwrites) run::refuse_earlier_run(arguments.folder);
+  return arguments.folder;
 }
 
 void show_progress(const run::Progress& progress) {
@@ -63,15 +75,13 @@ run::ExitCode run_scenario(const RunArguments& arguments) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file at its size limit shall be a write error with a message, not a kill
 
   run::RunOptions options;
-  if (!arguments.is_unrecorded) {
-    options.folder = arguments.folder.empty() ? default_folder(arguments) : std::filesystem::path(arguments.folder);
-  }
   options.is_live = arguments.is_live;
   options.pace = arguments.pace;
   options.stop = &stop_requested;
   const bool is_interactive = isatty(STDERR_FILENO) == 1;
   if (is_interactive) options.on_progress = show_progress;
   try {
+    if (!arguments.is_unrecorded) options.folder = folder_of(arguments);
     const run::Verdict verdict = run::run_lockstep(std::move(scenario), options);
     if (is_interactive) fmt::print(stderr, "\r\033[K");
     if (arguments.is_json) {
@@ -89,24 +99,49 @@ run::ExitCode run_scenario(const RunArguments& arguments) {
   }
 }
 
+/// What is wrong with a name, or nothing. An unset variable in a script gives an empty one.
+std::string refuse_empty(const std::string& text) { return text.empty() ? "is empty; expected a name" : ""; }
+
+/// What is wrong with a pace, or nothing.
+std::string refuse_pace(const std::string& text) {
+  double pace = -1.0;
+  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), pace);
+  const bool is_whole = error == std::errc{} && rest == text.data() + text.size();
+  if (is_whole && (pace == 0.0 || (pace >= kSlowestPace && pace <= kFastestPace))) return "";
+  return fmt::format("is {}; expected 0, or {} to {}", text, kSlowestPace, kFastestPace);
+}
+
 }  // namespace
 
 void add_run(CLI::App& app, run::ExitCode& result) {
   auto arguments = std::make_shared<RunArguments>();
   CLI::App* command = app.add_subcommand("run", "Walk the simulated robot through a scenario and judge the run.");
-  command->add_option("scenario", arguments->scenario_file,
-                      "Scenario file; without one the main job: 5 kg hung on the chest at 1.2 s");
+  command
+      ->add_option("scenario", arguments->scenario_file,
+                   "Scenario file; without one the main job: 5 kg hung on the chest at 1.2 s")
+      ->type_name("FILE")
+      ->check(refuse_empty);
   command->add_option("--set", arguments->overrides, "Override one key, e.g. payload.0.mass_kg=10; repeatable")
+      ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  command->add_option("--out", arguments->folder, "Run folder (default: runs/<scenario>-<date>)");
+  CLI::Option* folder =
+      command->add_option("--out", arguments->folder, "Run folder (default: a new one, runs/<scenario>-<date>)")
+          ->type_name("DIR")
+          ->check(refuse_empty);
+  command->add_flag("--overwrite", arguments->overwrites, "Replace the run that the folder of --out holds already")
+      ->needs(folder);
   command->add_flag("--json", arguments->is_json, "Print verdict.json instead of text");
-  command->add_flag("--live", arguments->is_live, "Publish telemetry over LCM too (udpm, ttl 0)");
-  command->add_flag("--no-record", arguments->is_unrecorded, "Write no run folder");
+  CLI::Option* live = command->add_flag("--live", arguments->is_live, "Publish telemetry over LCM too (udpm, ttl 0)");
+  command->add_flag("--no-record", arguments->is_unrecorded, "Write no run folder")->excludes(folder)->excludes(live);
   command
       ->add_option("--pace", arguments->pace,
-                   "Simulated seconds per wall second, 1 to watch live; 0 as fast as it goes")
-      ->check(CLI::Range(0.0, 1000.0));
+                   "Simulated seconds per wall second, 0.01 to 1000; 1 to watch live, 0 (default) as fast as it goes")
+      ->type_name("SPEED")
+      ->check(refuse_pace);
   command->footer(
+      "Ctrl-C ends a run early; what was recorded until then is kept and can be plotted and replayed.\n"
+      "Exit codes: 0 the verdict holds, 2 the robot fell or a limit broke, 3 a latched fault, 64 usage,\n"
+      "65 bad scenario, 69 run folder cannot be written, 130 interrupted.\n"
       "Examples:\n"
       "  surefoot run\n"
       "  surefoot run tools/scenarios/no_payload.toml --json\n"

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <string_view>
 
@@ -35,6 +36,14 @@ bool parse_payload(std::string_view text, can::CanFrame& frame) {
   return true;
 }
 
+/// The begin of a line that is no frame, and may be anything: a terminal shall not obey it.
+std::string shown(const std::string& line) {
+  std::string text = line.substr(0, 80);
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '.');
+  return text;
+}
+
 }  // namespace
 
 std::optional<LoggedFrame> parse_candump_line(const std::string& line) {
@@ -59,7 +68,7 @@ std::optional<LoggedFrame> parse_candump_line(const std::string& line) {
 CandumpLogReader::CandumpLogReader(const std::filesystem::path& path) : path_(path), file_(path) {
   if (!file_) {
     throw CandumpLogError(
-        fmt::format("{}: can not be read\n  remedy: give a run folder that `surefoot run` wrote", path.string()));
+        fmt::format("{}: cannot be read\n  remedy: give a run folder that `surefoot run` wrote", path.string()));
   }
 }
 
@@ -71,7 +80,7 @@ std::optional<LoggedFrame> CandumpLogReader::next() {
     throw CandumpLogError(
         fmt::format("{}:{}: not a CAN FD frame of candump -L: '{}'\n  remedy: record with "
                     "`surefoot run` or `candump -L`",
-                    path_.string(), line_number_, line_.substr(0, 80)));
+                    path_.string(), line_number_, shown(line_)));
   }
   return logged;
 }

@@ -17,7 +17,7 @@ struct LoggedFrame {
   can::CanFrame frame;
 };
 
-/// A log that can not be read as CAN FD frames; the message names file, line and remedy.
+/// A log that cannot be read as CAN FD frames; the message names file, line and remedy.
 class CandumpLogError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -29,7 +29,7 @@ class CandumpLogError : public std::runtime_error {
 /// Reads a candump -L log line by line. A last line without an end (a run that was killed) is left out.
 class CandumpLogReader {
  public:
-  /// @throws CandumpLogError when the file can not be opened
+  /// @throws CandumpLogError when the file cannot be opened
   explicit CandumpLogReader(const std::filesystem::path& path);
 
   /// The next frame, or nothing at the end.

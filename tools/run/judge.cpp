@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numbers>
 
 #include "firmware/core/gait/nominal_walk.hpp"
+#include "surefoot/event_t.hpp"
 
 namespace surefoot::run {
 namespace {
@@ -21,7 +21,7 @@ Judge::Judge(const scenario::Scenario& scenario)
     : limits_(scenario.limits),
       walk_(scenario.firmware.walk),
       method_(scenario.firmware.reflex.method),
-      torque_limit_nm_(scenario.sim.drive.torque_limit_nm),
+      torque_limit_nm_(std::min(scenario.sim.drive.torque_limit_nm, scenario.firmware.gate.torque_limit_nm)),
       period_s_(scenario.firmware.period_s),
       standing_s_(scenario.firmware.reflex.standing_s),
       time_zero_s_(scenario.sim.time_zero_s),
@@ -59,6 +59,16 @@ void Judge::observe(const TickOutput& output, const sim_hw::GroundTruth& truth,
   fault_ = output.fault;
   for (const RunEvent& event : events) {
     if (partial_.events.size() < kMaxEvents) partial_.events.push_back({event.name, time_s});
+    count_payloads(event);
+  }
+}
+
+void Judge::count_payloads(const RunEvent& event) noexcept {
+  if (event.code == event_t::PAYLOAD_ATTACHED) {
+    ++partial_.payloads_attached;
+  } else if (event.code == event_t::PAYLOAD_DETECTED || event.code == event_t::PAYLOAD_SEEN) {
+    if (partial_.payloads_attached == 0) ++partial_.false_alarms;
+    partial_.payloads_detected = std::min(partial_.payloads_detected + 1, partial_.payloads_attached);
   }
 }
 
@@ -104,7 +114,8 @@ void Judge::decide_outcome(Verdict& verdict, bool was_interrupted) const {
   };
   const double largest_pitch_deg = verdict.torso_pitch_deg.largest_magnitude();
   const double largest_roll_deg = verdict.torso_roll_deg.largest_magnitude();
-  const bool needs_recovery = payload_count_ > 0 && method_ != decision::ReflexMethod::kOff && was_triggered(verdict);
+  const bool needs_recovery = method_ != decision::ReflexMethod::kOff && verdict.payloads_detected > 0;
+  const auto payload_count = static_cast<int>(payload_count_);
   if (has_fallen_) {
     decide(Outcome::kFell, fmt::format("the robot fell at {:.3f} s", verdict.ended_at_s));
   } else if (fault_ != safety::Fault::kNone) {
@@ -118,20 +129,22 @@ void Judge::decide_outcome(Verdict& verdict, bool was_interrupted) const {
   } else if (limits_.max_abs_roll_deg > 0.0 && largest_roll_deg > limits_.max_abs_roll_deg) {
     decide(Outcome::kLimit, fmt::format("torso roll reached {:.2f} deg, limits.max_abs_roll_deg is {}",
                                         largest_roll_deg, limits_.max_abs_roll_deg));
+  } else if (verdict.payloads_attached < payload_count) {
+    decide(Outcome::kLimit, fmt::format("only {} of {} payloads were hung on before the end; raise duration_s",
+                                        verdict.payloads_attached, payload_count));
+  } else if (verdict.false_alarms > 0) {
+    decide(Outcome::kLimit, "the payload detector fired before there was a payload");
   } else if (needs_recovery && verdict.cycles_after_recovery < limits_.min_cycles_after_recovery) {
     decide(Outcome::kLimit,
            fmt::format("{:.2f} cycles walked after recovery, limits.min_cycles_after_recovery is {}; a longer "
                        "duration_s may be all it needs",
                        verdict.cycles_after_recovery, limits_.min_cycles_after_recovery));
   } else {
-    decide(Outcome::kWalked, fmt::format("walks until the end at {:.3f} s", verdict.ended_at_s + period_s_));
+    decide(Outcome::kWalked, fmt::format("walks until the end at {:.3f} s{}", verdict.ended_at_s + period_s_,
+                                         payload_count == 0 ? ""
+                                                            : fmt::format("; {} of {} payloads noticed",
+                                                                          verdict.payloads_detected, payload_count)));
   }
-}
-
-bool Judge::was_triggered(const Verdict& verdict) {
-  return std::any_of(verdict.events.begin(), verdict.events.end(), [](const TimedEvent& event) {
-    return std::strcmp(event.name, decision::name(decision::ReflexEvent::kPayloadDetected)) == 0;
-  });
 }
 
 Verdict Judge::verdict(bool was_interrupted) const {

@@ -27,10 +27,10 @@ class Judge {
   [[nodiscard]] Verdict verdict(bool was_interrupted) const;
 
  private:
+  void count_payloads(const RunEvent& event) noexcept;
   void observe_torques(const sim_hw::GroundTruth& truth) noexcept;
   void observe_gait(const TickOutput& output, double time_s) noexcept;
   void decide_outcome(Verdict& verdict, bool was_interrupted) const;
-  [[nodiscard]] static bool was_triggered(const Verdict& verdict);
 
   static constexpr std::size_t kMaxEvents = 512;
 

@@ -7,6 +7,7 @@
 #include <memory>
 #include <numbers>
 #include <span>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -83,17 +84,20 @@ Schedule schedule_of(const scenario::Scenario& scenario) {
 std::unique_ptr<host::RunRecorder> open_recorder(const scenario::Scenario& scenario, const RunOptions& options) {
   if (options.folder.empty()) return nullptr;
   create_run_folder(options.folder);
-  write_whole_file(options.folder / "scenario.toml", scenario::to_toml(scenario));
   host::RecorderOptions files;
   files.bus_log = options.folder / "bus.log";
   files.telemetry_log = options.folder / "telemetry.lcmlog";
   files.power_up_before_zero_us = std::llround(scenario.sim.time_zero_s * 1e6);
   if (options.is_live) files.live_provider = host::LivePublisher::kLocalProvider;
   try {
-    return std::make_unique<host::RunRecorder>(files);
-  } catch (const std::runtime_error& error) {
+    auto recorder = std::make_unique<host::RunRecorder>(files);
+    write_whole_file(options.folder / "scenario.toml", scenario::to_toml(scenario));
+    return recorder;
+  } catch (const std::system_error& error) {
     throw RecordingFailure(
         fmt::format("{}\n  remedy: free disk space, or name a folder that you may write with --out", error.what()));
+  } catch (const std::runtime_error& error) {  // live telemetry; it says what to do
+    throw RecordingFailure(error.what());
   }
 }
 

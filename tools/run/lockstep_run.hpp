@@ -21,14 +21,14 @@ struct Progress {
 };
 
 struct RunOptions {
-  std::filesystem::path folder;                      ///< run folder; empty: nothing is recorded
+  std::filesystem::path folder;                      ///< run folder, an earlier run in it is lost; empty: unrecorded
   bool is_live = false;                              ///< also publish telemetry over LCM (udpm, ttl 0)
   double pace = 0.0;                                 ///< simulated seconds per wall second; 0: as fast as it goes
   const std::atomic<bool>* stop = nullptr;           ///< set from outside to end the run early
   std::function<void(const Progress&)> on_progress;  ///< called about four times a second, between ticks
 };
 
-/// The run folder can not be written: no permission, disk full. The message names path and remedy.
+/// The run cannot be recorded: no permission, disk full, an earlier run in the way. The message names path and remedy.
 class RecordingFailure : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <system_error>
 #include <vector>
 
 #include "firmware/host/firmware_node.hpp"
@@ -73,9 +74,18 @@ void run_tick(host::FirmwareNode& firmware, RecordedTick& tick, ReplayResult& re
   }
 }
 
+void require_file(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (std::filesystem::exists(status) && !std::filesystem::is_directory(status)) return;
+  throw RunFolderError(
+      fmt::format("{}: there is no such file\n  remedy: give a run folder that `surefoot run` wrote", path.string()));
+}
+
 }  // namespace
 
 ReplayResult replay(const std::filesystem::path& run_folder) {
+  for (const char* file : {"scenario.toml", "bus.log"}) require_file(run_folder / file);
   const scenario::Scenario scenario = scenario::load(run_folder / "scenario.toml", {});
   CandumpLogReader log(run_folder / "bus.log");
   host::FirmwareNode firmware(scenario.firmware);
@@ -98,6 +108,10 @@ ReplayResult replay(const std::filesystem::path& run_folder) {
     run_tick(firmware, tick, result);
   } else {
     result.ends_in_mid_tick = !is_first;
+  }
+  if (result.ticks == 0) {
+    throw RunFolderError(
+        fmt::format("{}: holds no whole tick\n  remedy: run the scenario again", (run_folder / "bus.log").string()));
   }
   return result;
 }

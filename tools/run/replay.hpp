@@ -2,9 +2,16 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 
 namespace surefoot::run {
+
+/// A folder that holds no run to replay; the message names path and remedy.
+class RunFolderError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 /// How a replay went.
 struct ReplayResult {
@@ -19,7 +26,7 @@ struct ReplayResult {
 /// sent then: SYNC, heartbeats and torques, bit by bit.
 ///
 /// @param run_folder  holds scenario.toml and bus.log
-/// @throws ScenarioError, CandumpLogError with the remedy
+/// @throws RunFolderError, ScenarioError, CandumpLogError with the remedy
 [[nodiscard]] ReplayResult replay(const std::filesystem::path& run_folder);
 
 }  // namespace surefoot::run

@@ -44,6 +44,12 @@ controller_state_t state_message(std::int64_t utime_us, const TickOutput& output
   message.zmp_y_body_m = output.estimate.zmp_y_body_m;
   message.filtered_zmp_x_body_m = output.estimate.filtered_zmp_x_body_m;
   message.adaptation_m = output.decision.adaptation_m;
+  message.balance_zmp_x_body_m = output.decision.balance_zmp_x_body_m;
+  const std::array<Freshness, 5> nodes{sensors.leg[0].freshness, sensors.leg[1].freshness, sensors.foot[0].freshness,
+                                       sensors.foot[1].freshness, sensors.torso.freshness};
+  for (std::size_t node = 0; node < nodes.size(); ++node) {
+    message.node_age_ticks[node] = static_cast<std::int32_t>(nodes[node].age_ticks);  // kNeverHeard reads -1
+  }
   message.fault = static_cast<std::int8_t>(output.fault);
   message.is_reachable = output.joint_reference.is_reachable ? 1 : 0;
   return message;

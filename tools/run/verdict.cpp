@@ -78,6 +78,9 @@ std::string to_json(const Verdict& verdict) {
       {"steps_walked", verdict.steps_walked},
       {"cycles_after_recovery", rounded(verdict.cycles_after_recovery, 1e-4)},
       {"events", events},
+      {"payloads_attached", verdict.payloads_attached},
+      {"payloads_detected", verdict.payloads_detected},
+      {"false_alarms", verdict.false_alarms},
       {"peak_torque_nm", peaks},
       {"torque_ripple_nm", verdict.torque_ripple_nm},
       {"time_at_torque_limit_percent", verdict.time_at_torque_limit_percent},
@@ -99,9 +102,11 @@ std::string to_json(const Verdict& verdict) {
 
 std::string to_text(const Verdict& verdict) {
   std::string text = fmt::format("  verdict      {}: {}\n", name(verdict.outcome), verdict.reason);
-  text += fmt::format("  torso        pitch {:+.2f} to {:+.2f} deg, roll {:+.2f} to {:+.2f} deg\n",
-                      verdict.torso_pitch_deg.min, verdict.torso_pitch_deg.max, verdict.torso_roll_deg.min,
-                      verdict.torso_roll_deg.max);
+  const bool was_scored = !verdict.torso_pitch_deg.is_empty;
+  const Range& pitch = was_scored ? verdict.torso_pitch_deg : verdict.start_up_pitch_deg;
+  const Range& roll = was_scored ? verdict.torso_roll_deg : verdict.start_up_roll_deg;
+  text += fmt::format("  torso        pitch {:+.2f} to {:+.2f} deg, roll {:+.2f} to {:+.2f} deg{}\n", pitch.min,
+                      pitch.max, roll.min, roll.max, was_scored ? "" : " (start-up: the run ended before time zero)");
   text += fmt::format("  walk         {} steps, {:.2f} m, {:.2f} cycles since recovery or start\n",
                       verdict.steps_walked, verdict.distance_m, verdict.cycles_after_recovery);
   if (!verdict.events.empty()) text += "  events\n" + event_time_line(verdict);

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <stdexcept>
 
+#include "sim_hw/config_check.hpp"
 #include "sim_hw/nodes/command_queue.hpp"
 #include "tools/scenario/field_table.hpp"
 
@@ -119,9 +121,9 @@ void check_watchdog(const Scenario& scenario, std::vector<Finding>& findings) {
 
 void check_latency(const Scenario& scenario, std::vector<Finding>& findings) {
   const double longest_s = static_cast<double>(sim_hw::CommandQueue::kCapacity - 1) * scenario.firmware.period_s;
-  if (scenario.sim.command_latency_s <= longest_s) return;
+  if (scenario.sim.command_latency_s < longest_s) return;
   findings.push_back({{"bus.command_latency_s", "control_period_s"},
-                      fmt::format("bus.command_latency_s is {}; expected at most {:.4g} s, {} control periods",
+                      fmt::format("bus.command_latency_s is {}; expected less than {:.4g} s, {} control periods",
                                   scenario.sim.command_latency_s, longest_s, sim_hw::CommandQueue::kCapacity - 1),
                       "lower bus.command_latency_s"});
 }
@@ -136,12 +138,24 @@ void check_shared_numbers(const Scenario& scenario, std::vector<Finding>& findin
                              here.ankle_height_m == there.ankle_height_m && here.sole_heel_m == there.sole_heel_m &&
                              here.sole_toe_m == there.sole_toe_m && here.sole_width_m == there.sole_width_m;
   if (same_geometry && shared.sim.control_period_s == scenario.sim.control_period_s &&
-      shared.firmware.gate.torque_limit_nm == scenario.firmware.gate.torque_limit_nm) {
+      shared.firmware.servo.torque_limit_nm == scenario.firmware.servo.torque_limit_nm) {
     return;
   }
   findings.push_back({{},
                       "simulator and firmware disagree on geometry, control period or torque limit",
                       "call share_numbers after changing a scenario in code"});
+}
+
+/// The simulator's own checks, so that nothing that it refuses gets as far as a run.
+void check_simulator(const Scenario& scenario, std::vector<Finding>& findings) {
+  try {
+    sim_hw::check(scenario.sim);
+  } catch (const std::invalid_argument& error) {
+    const std::string message = error.what();
+    const std::string separator = "\n  remedy: ";
+    const std::size_t remedy = message.find(separator);
+    findings.push_back({{}, message.substr(0, remedy), message.substr(remedy + separator.size())});
+  }
 }
 
 }  // namespace
@@ -191,6 +205,7 @@ std::vector<Finding> check_relations(const Scenario& scenario) {
   check_watchdog(scenario, findings);
   check_latency(scenario, findings);
   check_shared_numbers(scenario, findings);
+  if (findings.empty()) check_simulator(scenario, findings);
   return findings;
 }
 

@@ -13,7 +13,11 @@ void append_gait(std::vector<Field>& table, gait::WalkParameters& walk) {
       table.end(),
       {Field{"gait.single_support_s", &walk.single_support_s, {0.05, 10.0}, "s", "time with one foot in the air, t_ss"},
        Field{"gait.double_support_s", &walk.double_support_s, {0.05, 10.0}, "s", "time with both feet down, t_ds"},
-       Field{"gait.half_step_m", &walk.half_step_m, {0.0, 0.5}, "m", "half travel of a foot about the reference, b_s"},
+       Field{"gait.half_step_m",
+             &walk.half_step_m,
+             {0.0, 0.5, true},
+             "m",
+             "half travel of a foot about the reference, b_s"},
        Field{"gait.reference_x_body_m", &walk.reference_x_body_m, {-0.5, 0.5}, "m", "midpoint of the feet, x_ref_as"},
        Field{"gait.reference_y_body_m", &walk.reference_y_body_m, {-0.5, 0.5}, "m", "midpoint of the feet, y_ref_as"},
        Field{"gait.foot_offset_y_m",
@@ -101,16 +105,16 @@ void append_servo(std::vector<Field>& table, servo::ServoConfig& servo) {
                              gains_field("servo.ki_nm_per_rad_s", servo, &servo::JointGains::ki_nm_per_rad_s, 1e6,
                                          "N m/(rad s)", "integral gains from hip yaw to ankle roll"),
                              gains_field("servo.kd_nm_s_per_rad", servo, &servo::JointGains::kd_nm_s_per_rad, 1e4,
-                                         "N m s/rad", "derivative gains from hip yaw to ankle roll"),
-                             Field{"servo.torque_limit_nm",
-                                   &servo.torque_limit_nm,
-                                   {0.0, 300.0, true},
-                                   "N m",
-                                   "largest torque that the firmware asks for"}});
+                                         "N m s/rad", "derivative gains from hip yaw to ankle roll")});
 }
 
 void append_gate(std::vector<Field>& table, safety::OutputGateConfig& gate) {
-  table.insert(table.end(), {Field{"gate.torque_rate_limit_nm_s",
+  table.insert(table.end(), {Field{"gate.torque_limit_nm",
+                                   &gate.torque_limit_nm,
+                                   {0.0, 300.0, true},
+                                   "N m",
+                                   "largest torque that leaves the firmware"},
+                             Field{"gate.torque_rate_limit_nm_s",
                                    &gate.torque_rate_limit_nm_s,
                                    {0.0, 1e9, true},
                                    "N m/s",

@@ -95,7 +95,7 @@ Scenario load_default(std::span<const std::string> overrides) { return load_text
 void share_numbers(Scenario& scenario) {
   scenario.sim.geometry = scenario.firmware.geometry;
   scenario.sim.control_period_s = scenario.firmware.period_s;
-  scenario.firmware.gate.torque_limit_nm = scenario.firmware.servo.torque_limit_nm;
+  scenario.firmware.servo.torque_limit_nm = scenario.firmware.gate.torque_limit_nm;
 }
 
 void validate(const Scenario& scenario) {

@@ -73,8 +73,8 @@ inline constexpr std::size_t kMaxPayloads = 16;
 [[nodiscard]] std::string describe_keys();
 
 /// Copies the numbers that stand once: `sim.geometry`, `sim.control_period_s` and
-/// `firmware.gate.torque_limit_nm` follow `firmware.geometry`, `firmware.period_s` and
-/// `firmware.servo.torque_limit_nm`. `load` has done it; call it after changing one of them in code.
+/// `firmware.servo.torque_limit_nm` follow `firmware.geometry`, `firmware.period_s` and
+/// `firmware.gate.torque_limit_nm`. `load` has done it; call it after changing one of them in code.
 void share_numbers(Scenario& scenario);
 
 /// Checks a scenario that was put together in code.

@@ -12,9 +12,9 @@ void append_masses(std::vector<Field>& table, sim_hw::MassConfig& mass) {
                                          "size of the trunk, length width height"),
                              array_field("mass.trunk_com_body_m", mass.trunk_com_body_m, {-1.0, 1.0}, "m",
                                          "centre of mass of the trunk in the body frame, x y z"),
-                             Field{"mass.thigh_kg", &mass.thigh_kg, {0.01, 100.0}, "kg", "mass of a thigh"},
-                             Field{"mass.calf_kg", &mass.calf_kg, {0.01, 100.0}, "kg", "mass of a calf"},
-                             Field{"mass.foot_kg", &mass.foot_kg, {0.01, 100.0}, "kg", "mass of a foot"},
+                             Field{"mass.thigh_kg", &mass.thigh_kg, {0.1, 100.0}, "kg", "mass of a thigh"},
+                             Field{"mass.calf_kg", &mass.calf_kg, {0.1, 100.0}, "kg", "mass of a calf"},
+                             Field{"mass.foot_kg", &mass.foot_kg, {0.1, 100.0}, "kg", "mass of a foot"},
                              Field{"mass.foot_com_x_foot_m",
                                    &mass.foot_com_x_foot_m,
                                    {-0.5, 0.5},
@@ -111,7 +111,7 @@ void append_simulator_fields(std::vector<Field>& table, Scenario& scenario) {
                                    {1e-4, 10.0},
                                    "s",
                                    "time without a torque frame after which the leg boards damp"},
-                             Field{"physics.step_s", &sim.physics_step_s, {1e-5, 1e-2}, "s", "step of the physics"}});
+                             Field{"physics.step_s", &sim.physics_step_s, {1e-5, 2e-3}, "s", "step of the physics"}});
 }
 
 }  // namespace surefoot::scenario

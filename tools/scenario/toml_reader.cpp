@@ -76,7 +76,7 @@ class Reader {
   Scenario read() {
     read_table(document_.root, "", fields(scenario_), fields(defaults_));
     if (!places_.contains("drive.torque_limit_nm")) {
-      scenario_.sim.drive.torque_limit_nm = scenario_.firmware.servo.torque_limit_nm;
+      scenario_.sim.drive.torque_limit_nm = scenario_.firmware.gate.torque_limit_nm;
     }
     share_numbers(scenario_);
     for (const Finding& finding : check_ranges(scenario_)) report(finding);

@@ -76,6 +76,9 @@ struct Sequence {
     const double shift_m = std::clamp(error_m, -reflex.max_shift_m, reflex.max_shift_m);
     state.decision.adaptation_m = shift_m;
     state.decision.reference_x_body_m += shift_m;
+    // What balances the robot is the ZMP's place between the feet, and they move by a: without this line, which the
+    // thesis with its single load does not need, each load would be answered again for all earlier ones.
+    state.decision.balance_zmp_x_body_m += shift_m;
     rearm(detector, state.detector, estimate.filtered_force_n - state.standing_force_n);
     state.standing_force_n = estimate.filtered_force_n;
     const FootReference start = end_of_motion();

@@ -49,7 +49,7 @@ StepRestoration plan_restoration(const WalkParameters& walk, RestorationTiming t
   plan.half_spread_m = 0.5 * std::abs(right_x_m - left_x_m);
   const double front_x_m = std::max(right_x_m, left_x_m);
   plan.factor = std::abs(reference_x_m + walk.half_step_m - front_x_m) / (2.0 * walk.half_step_m);
-  if (plan.factor < kSmallestFactor) return plan;
+  if (!(plan.factor >= kSmallestFactor)) return plan;  // NaN, from a step length of zero, too
 
   const double cosine = timing == RestorationTiming::kAcosFactor ? plan.factor : 1.0 - 2.0 * plan.factor;
   plan.single_support_s = walk.single_support_s * std::acos(std::clamp(cosine, -1.0, 1.0)) / kPi;

@@ -14,6 +14,8 @@ const char* name(Fault fault) noexcept {
       return "joint_out_of_range";
     case Fault::kJointOverspeed:
       return "joint_overspeed";
+    case Fault::kBoardDamping:
+      return "board_damping";
   }
   return "unknown";
 }

@@ -12,6 +12,7 @@ enum class Fault : std::uint8_t {
   kTorqueNotFinite = 2,  ///< the servo asked for NaN or infinity
   kJointOutOfRange = 3,  ///< a measured joint angle stands outside its mechanical range
   kJointOverspeed = 4,   ///< a measured joint rate is beyond what the robot can do unharmed
+  kBoardDamping = 5,     ///< a leg board damps although it is told to hold torques: they do not arrive
 };
 
 /// Name as it appears in logs, e.g. "sensor_silent".

@@ -48,10 +48,16 @@ bool is_slow_enough(const OutputGateConfig& config, const LegSensors& leg) noexc
   return slow;
 }
 
+bool is_damped(const SensorSnapshot& sensors) noexcept {
+  return std::ranges::any_of(sensors.leg,
+                             [](const LegSensors& leg) { return leg.freshness.is_fresh() && leg.is_damping; });
+}
+
 /// The first fault in the order of cause and consequence.
 Fault find_fault(const OutputGateConfig& config, const OutputGateState& state, const PerSide<LegVector>& wanted_nm,
                  const SensorSnapshot& sensors) noexcept {
   if (longest_silence_ticks(state, sensors) > config.ride_through_ticks) return Fault::kSensorSilent;
+  if (state.damped_ticks > config.ride_through_ticks) return Fault::kBoardDamping;
   for (const LegSensors& leg : sensors.leg) {
     if (!leg.freshness.is_fresh()) continue;
     if (!is_in_range(config, leg)) return Fault::kJointOutOfRange;
@@ -67,6 +73,7 @@ PerSide<LegCommand> step(const OutputGateConfig& config, OutputGateState& state,
   const auto nodes = freshness_of_nodes(sensors);
   if (std::ranges::all_of(nodes, &Freshness::was_heard)) state.all_nodes_heard = true;
   if (!state.all_nodes_heard) ++state.awaited_ticks;
+  state.damped_ticks = state.all_nodes_heard && is_damped(sensors) ? state.damped_ticks + 1 : 0;
   if (state.latched == Fault::kNone) state.latched = find_fault(config, state, wanted_nm, sensors);
   if (state.latched != Fault::kNone || !state.all_nodes_heard) {
     state.last_torque_nm = {};

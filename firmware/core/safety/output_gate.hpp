@@ -13,7 +13,7 @@ struct OutputGateConfig {
   double joint_rate_limit_rad_s = 25.0;
   LegVector angle_min_rad{-0.8, -0.8, -2.0, -0.02, -1.5, -0.8};
   LegVector angle_max_rad{0.8, 0.8, 1.0, 2.6, 1.5, 0.8};
-  std::uint32_t ride_through_ticks = 10;  ///< a node may be silent this long before the fault latches
+  std::uint32_t ride_through_ticks = 10;  ///< a node may be silent, or a board damp, this long
 };
 
 /// Everything that lives between two ticks.
@@ -22,14 +22,16 @@ struct OutputGateState {
   Fault latched = Fault::kNone;
   bool all_nodes_heard = false;     ///< every node has answered at least once since power-up
   std::uint32_t awaited_ticks = 0;  ///< ticks since power-up in which some node had not yet answered at all
+  std::uint32_t damped_ticks = 0;   ///< for so long a leg board has damped although it is told to hold torques
 };
 
 /// What goes to the leg boards. Until a fault latches: the wanted torque, limited in rate and size.
 /// While a node rides through, the last torques are held. Until every node has answered once after
 /// power-up: mode kDamp and zero torque, a fault only after `ride_through_ticks` of that. After a
 /// latched fault: mode kDamp and zero torque, until a fresh `OutputGateState` is put in place.
-/// When one tick shows several faults, silence comes first, then the joints, then the torque: the
-/// cause before its consequence. Independent of everything that stands above it.
+/// When one tick shows several faults, silence comes first, then a board that damps against its
+/// orders, then the joints, then the torque: the cause before its consequence. Independent of everything that stands
+/// above it.
 ///
 /// @param period_s  time since the last call, > 0
 [[nodiscard]] PerSide<LegCommand> step(const OutputGateConfig&, OutputGateState&, const PerSide<LegVector>& wanted_nm,

@@ -102,7 +102,7 @@ TEST_F(FrameExchangeTest, PutsEachNodesValuesInItsPlace) {
   EXPECT_NEAR(snapshot.torso.specific_force_body_m_s2.z(), 9.81, 1e-9);
   EXPECT_TRUE(snapshot.leg[0].freshness.is_fresh());
   EXPECT_TRUE(snapshot.torso.freshness.is_fresh());
-  EXPECT_TRUE(exchange.leg_status()[0].is_damping);
+  EXPECT_TRUE(snapshot.leg[0].is_damping);
   EXPECT_EQ(exchange.counters().received, 5U);
   EXPECT_EQ(rejected(), 0U);
 }
@@ -264,6 +264,18 @@ TEST_F(FrameExchangeTest, FindsTheAnswersBehindALongQueueOfNoiseButDoesNotReadAF
   EXPECT_EQ(bus.incoming.size(), 1005U - 256U);
   for (int call = 0; call < 2; ++call) EXPECT_FALSE(exchange.collect(bus));
   EXPECT_TRUE(exchange.collect(bus));
+}
+
+// A second sender on a node's identifier: its frame is intact and of this tick, its counter moves on.
+TEST_F(FrameExchangeTest, KeepsTheFirstAnswerOfATickAndRefusesASecond) {
+  std::vector<CanFrame> incoming = robot.answer(3);
+  FootSensors forged;
+  forged.corner_force_n.fill(1000.0);
+  incoming.push_back(encode_foot_force(Side::kRight, {.tick = 3, .counter = robot.counter[2]}, forged));
+  const SensorSnapshot& snapshot = run_tick(3, incoming);
+  EXPECT_NEAR(snapshot.foot[index(Side::kRight)].corner_force_n[0], 100.0, 1e-9);
+  EXPECT_EQ(rejected(Rejection::kRepeated), 1U);
+  EXPECT_TRUE(run_tick(4, robot.answer(4)).foot[index(Side::kRight)].freshness.is_fresh()) << "the true node goes on";
 }
 
 }  // namespace

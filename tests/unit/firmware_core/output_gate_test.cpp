@@ -245,13 +245,51 @@ TEST(OutputGate, KeepsTheFirstFaultAndDampsUntilItsStateIsReplaced) {
 }
 
 TEST(Fault, HasANameOfItsOwnForEachNumber) {
-  const std::array faults{Fault::kNone, Fault::kSensorSilent, Fault::kTorqueNotFinite, Fault::kJointOutOfRange,
-                          Fault::kJointOverspeed};
+  const std::array faults{
+      Fault::kNone,           Fault::kSensorSilent, Fault::kTorqueNotFinite, Fault::kJointOutOfRange,
+      Fault::kJointOverspeed, Fault::kBoardDamping};
   std::set<std::string> names;
   for (const Fault fault : faults) names.insert(name(fault));
   EXPECT_EQ(names, (std::set<std::string>{"none", "sensor_silent", "torque_not_finite", "joint_out_of_range",
-                                          "joint_overspeed"}));
+                                          "joint_overspeed", "board_damping"}));
   EXPECT_STREQ(name(static_cast<Fault>(99)), "unknown");
+}
+
+/// Torques that do not arrive: the board's watchdog damps the joints and says so in its state.
+TEST(OutputGate, LatchesWhenABoardDampsAgainstItsOrdersForLongerThanTheRideThrough) {
+  for (const std::size_t leg : {0U, 1U}) {
+    Gate gate;
+    SensorSnapshot sensors = fresh_sensors();
+    sensors.leg[leg].is_damping = true;
+    for (std::uint32_t tick = 0; tick < gate.config.ride_through_ticks; ++tick) {
+      expect_torque(gate.tick(sensors, all_joints(5.0)), 5.0);
+    }
+    expect_damped(gate.tick(sensors, all_joints(5.0)));
+    EXPECT_EQ(gate.state.latched, Fault::kBoardDamping);
+  }
+}
+
+TEST(OutputGate, ForgivesABoardThatDampsNowAndThen) {
+  Gate gate;
+  SensorSnapshot sensors = fresh_sensors();
+  for (int tick = 0; tick < 100; ++tick) {
+    sensors.leg[1].is_damping = tick % 10 != 9;
+    expect_torque(gate.tick(sensors, all_joints(5.0)), 5.0);
+  }
+}
+
+TEST(OutputGate, DoesNotHoldTheLastWordOfASilentBoardAgainstIt) {
+  Gate gate;
+  gate.config.ride_through_ticks = 20;
+  SensorSnapshot sensors = fresh_sensors();
+  gate.tick(sensors, all_joints(5.0));
+  sensors.leg[0].is_damping = true;
+  for (std::uint32_t age = 1; age <= 20; ++age) {
+    sensors.leg[0].freshness.age_ticks = age;
+    gate.tick(sensors, all_joints(5.0));
+  }
+  EXPECT_EQ(gate.state.damped_ticks, 0U);
+  EXPECT_EQ(gate.state.latched, Fault::kNone);
 }
 
 }  // namespace

@@ -168,11 +168,11 @@ TEST(ReflexSequence, MeetsASecondPayloadFromTheFirstStepOn) {
   const auto second = run.find(ReflexEvent::kPayloadDetected, resumed->time_s);
   ASSERT_NE(second, run.ticks.end());
   EXPECT_TRUE(resumed->decision.is_detector_armed);
-  EXPECT_DOUBLE_EQ(resumed->decision.threshold_n, 787.8 + 49.0 + 60.0);
+  EXPECT_DOUBLE_EQ(resumed->decision.threshold_n, 787.8 + 49.0 + 12.0);
   EXPECT_NEAR(second->time_s, 23.2, 1.5e-3);
   EXPECT_DOUBLE_EQ(run.ticks.back().decision.threshold_n, 787.8 + 98.0);
   EXPECT_EQ(run.ticks.back().decision.phase, ReflexPhase::kWalking);
-  EXPECT_NEAR(run.ticks.back().decision.reference_x_body_m, -0.09 + 2e-4 * 49.0 + 0.01 + 2e-4 * 98.0, 1.0e-12);
+  EXPECT_NEAR(run.ticks.back().decision.reference_x_body_m, -0.09 + 0.005 + 2e-4 * 98.0, 1.0e-12);
 }
 
 TEST(ReflexSequence, OnlyReportsThePayloadWhenTheReflexIsOff) {

@@ -37,7 +37,7 @@ INSTANTIATE_TEST_SUITE_P(
     WrongType, RefusedScenario,
     testing::Values(
         BadInput{"[gait]\nhalf_step_m = \"long\"",
-                 "walk.toml:2:15: gait.half_step_m is the string \"long\"; expected a number, 0 to 0.5 m\n"
+                 "walk.toml:2:15: gait.half_step_m is the string \"long\"; expected a number, more than 0, up to 0.5 m\n"
                  "  remedy: give the half travel of a foot about the reference, b_s, or remove the key to use 0.08"},
         BadInput{"seed = 1.5", "walk.toml:1:8: seed is the float 1.5; expected an integer, 0 to "},
         BadInput{"seed = -1", "walk.toml:1:8: seed is -1; expected 0 to "},
@@ -85,8 +85,8 @@ INSTANTIATE_TEST_SUITE_P(
                  "walk.toml:1:9: robot is \"khr2\"; expected \"elkahlout\"\n"
                  "  remedy: choose a name that exists, or remove the key to use \"elkahlout\""},
         BadInput{"plant = \"mars\"", "walk.toml:1:9: plant is \"mars\"; expected one of \"thesis\", \"nominal\""},
-        BadInput{"[servo]\ntorque_limit_nm = 301",
-                 "walk.toml:2:19: servo.torque_limit_nm is 301; expected more than 0, up to 300 N m"},
+        BadInput{"[gate]\ntorque_limit_nm = 301",
+                 "walk.toml:2:19: gate.torque_limit_nm is 301; expected more than 0, up to 300 N m"},
         BadInput{
             "[physics]\nstep_s = 0.0003",
             "walk.toml:2:10: physics.step_s is 0.0003; expected control_period_s = 0.001 s divided by a whole number\n"
@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "walk.toml:2:14: bus.watchdog_s is 0.002; expected more than one control period and the command "
                  "latency, 0.002 s"},
         BadInput{"[bus]\nwatchdog_s = 1\ncommand_latency_s = 0.1",
-                 "walk.toml:3:21: bus.command_latency_s is 0.1; expected at most 0.063 s, 63 control periods"}));
+                 "walk.toml:3:21: bus.command_latency_s is 0.1; expected less than 0.063 s, 63 control periods"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Unknown, RefusedScenario,

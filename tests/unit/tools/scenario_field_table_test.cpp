@@ -140,10 +140,10 @@ TEST(ScenarioFields, EveryMemberOfTheConfigurationHasAKey) {
   coverage.add(scenario.robot);
   coverage.add(scenario.plant);
   coverage.add(scenario.sim.payloads);
-  coverage.add(scenario.sim.geometry);                   // share_numbers
-  coverage.add(scenario.sim.control_period_s);           // share_numbers
-  coverage.add(scenario.firmware.gate.torque_limit_nm);  // share_numbers
-  coverage.add(scenario.sim.time_zero_s);                // the runner's
+  coverage.add(scenario.sim.geometry);                    // share_numbers
+  coverage.add(scenario.sim.control_period_s);            // share_numbers
+  coverage.add(scenario.firmware.servo.torque_limit_nm);  // share_numbers
+  coverage.add(scenario.sim.time_zero_s);                 // the runner's
   EXPECT_LT(coverage.longest_gap(), 8U);
 
   sim_hw::PayloadConfig payload;

@@ -78,7 +78,7 @@ TEST(ScenarioLoad, ModifiedReflexSettlesTwiceAsLongUnlessToldOtherwise) {
 TEST(ScenarioLoad, NumbersThatStandOnceReachFirmwareAndSimulator) {
   const Scenario scenario = load_text("w",
                                       "control_period_s = 0.002\n[geometry]\nthigh_m = 0.28\n"
-                                      "[servo]\ntorque_limit_nm = 150");
+                                      "[gate]\ntorque_limit_nm = 150");
   EXPECT_EQ(scenario.firmware.period_s, 0.002);
   EXPECT_EQ(scenario.sim.control_period_s, 0.002);
   EXPECT_EQ(scenario.firmware.geometry.thigh_m, 0.28);
@@ -89,7 +89,7 @@ TEST(ScenarioLoad, NumbersThatStandOnceReachFirmwareAndSimulator) {
 }
 
 TEST(ScenarioLoad, MotorsMayHaveALimitOfTheirOwn) {
-  const Scenario scenario = load_text("w", "[servo]\ntorque_limit_nm = 150\n[drive]\ntorque_limit_nm = 100");
+  const Scenario scenario = load_text("w", "[gate]\ntorque_limit_nm = 150\n[drive]\ntorque_limit_nm = 100");
   EXPECT_EQ(scenario.firmware.gate.torque_limit_nm, 150.0);
   EXPECT_EQ(scenario.sim.drive.torque_limit_nm, 100.0);
 }
