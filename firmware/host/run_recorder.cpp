@@ -125,7 +125,11 @@ bool RunRecorder::drain() noexcept {
         const int size = slot.encode(slot.message.data(), encoded, static_cast<int>(kMaxEncodedBytes));
         if (size < 0) return;
         const auto length = static_cast<std::size_t>(size);
-        writers_->telemetry_log.append(slot.utime_us + options_.power_up_before_zero_us, slot.channel, encoded, length);
+        // Wall-clock figures are for who listens now: in the log they would differ from run to run.
+        if (slot.channel != Channel::kTimingStatistics) {
+          writers_->telemetry_log.append(slot.utime_us + options_.power_up_before_zero_us, slot.channel, encoded,
+                                         length);
+        }
         if (writers_->live) writers_->live->publish(slot.channel, encoded, length);
       },
       kMessageBatch);

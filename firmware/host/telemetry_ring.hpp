@@ -17,7 +17,7 @@ enum class Channel : std::uint8_t {
   kEvent,             ///< event_t, when something happens
   kSimulatorTruth,    ///< simulator_truth_t, every tick
   kBusStatistics,     ///< bus_statistics_t, now and then
-  kTimingStatistics,  ///< timing_statistics_t, now and then
+  kTimingStatistics,  ///< timing_statistics_t, now and then; live only, never in the log
 };
 
 /// LCM channel names, indexed by `Channel`.

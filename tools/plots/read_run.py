@@ -42,7 +42,7 @@ class Run:
 
     @property
     def torque_limit_nm(self) -> float | None:
-        return self.scenario.get("servo", {}).get("torque_limit_nm")
+        return self.scenario.get("drive", {}).get("torque_limit_nm")
 
 
 def _channel_types() -> dict[str, type]:
@@ -105,12 +105,19 @@ def read_run(folder: Path) -> Run:
                 f"{log_path}: holds no message on {channel}\n  remedy: run the scenario again; this run recorded nothing"
             )
     scenario_path, verdict_path = folder / "scenario.toml", folder / "verdict.json"
+    try:
+        scenario = tomllib.loads(scenario_path.read_text()) if scenario_path.is_file() else {}
+        verdict = json.loads(verdict_path.read_text()) if verdict_path.is_file() else {}
+    except ValueError as error:  # TOMLDecodeError, JSONDecodeError and UnicodeDecodeError are all of this kind
+        raise RunFolderError(
+            f"{folder}: scenario.toml or verdict.json cannot be read: {error}\n  remedy: run the scenario again"
+        ) from error
     return Run(
         folder=folder,
         state=_columns(messages["SUREFOOT_STATE"]),
         truth=_columns(messages["SUREFOOT_TRUTH"]),
         bus=_columns(messages["SUREFOOT_BUS"]),
         events=[_event(message) for message in messages["SUREFOOT_EVENT"]],
-        scenario=tomllib.loads(scenario_path.read_text()) if scenario_path.is_file() else {},
-        verdict=json.loads(verdict_path.read_text()) if verdict_path.is_file() else {},
+        scenario=scenario,
+        verdict=verdict,
     )

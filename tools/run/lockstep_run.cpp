@@ -31,6 +31,9 @@ namespace {
 
 using WallClock = std::chrono::steady_clock;
 
+constexpr std::uint32_t kBusStatisticsTicks = 100;
+constexpr std::uint32_t kTimingStatisticsTicks = 1000;
+
 double seconds_since(WallClock::time_point start) {
   return std::chrono::duration<double>(WallClock::now() - start).count();
 }
@@ -145,13 +148,23 @@ class LockstepRun {
     verdict.tick_us_max = tick_times_.max_us();
     verdict.real_time_factor = static_cast<double>(tick_) * period_s_ / wall_s;
     verdict.frames_sent = watch_.frames();
-    verdict.frames_lost = firmware_.counters().lost + firmware_.counters().refused_by_bus;
+    verdict.frames_lost = frames_lost();
     verdict.frames_late = firmware_.counters().rejected[static_cast<std::size_t>(can::Rejection::kLate)];
     verdict.bus_load_percent = watch_.load_percent(static_cast<double>(tick_) * period_s_);
     return verdict;
   }
 
  private:
+  /// Every frame that was sent and did not count, whatever the reason, on either side.
+  [[nodiscard]] std::uint64_t frames_lost() const noexcept {
+    const can::FrameCounters& firmware = firmware_.counters();
+    const sim_hw::NodeCounters robot = robot_.counters();
+    std::uint64_t lost = firmware.lost + firmware.refused_by_bus + robot.refused_by_bus;
+    for (const std::uint64_t count : firmware.rejected) lost += count;
+    for (const std::uint64_t count : robot.rejected) lost += count;
+    return lost;
+  }
+
   void cycle() noexcept {
     const WallClock::time_point begin = WallClock::now();
     firmware_.begin_tick(bus_.controller_end());
@@ -227,10 +240,13 @@ void LockstepRun::record(const TickOutput& output, std::span<const RunEvent> eve
     recorder_->push(host::Channel::kControllerState, utime_us, state_message(utime_us, output, firmware_.snapshot()));
     recorder_->push(host::Channel::kSimulatorTruth, utime_us, truth_message(utime_us, output.tick, robot_.truth()));
   }
-  if (output.tick % 100 == 99) {
+  if (output.tick % kBusStatisticsTicks == kBusStatisticsTicks - 1 || judge_.is_over()) {
     recorder_->push(
         host::Channel::kBusStatistics, utime_us,
         bus_message(utime_us, output.tick, firmware_.counters(), watch_.load_percent((output.tick + 1) * period_s_)));
+  }
+  if (options_.is_live && output.tick % kTimingStatisticsTicks == kTimingStatisticsTicks - 1) {
+    recorder_->push(host::Channel::kTimingStatistics, utime_us, timing_message(utime_us, output.tick, tick_times_));
   }
 }
 
@@ -246,6 +262,7 @@ Verdict run_lockstep(scenario::Scenario scenario, const RunOptions& options) {
 
   const host::RecordingSummary recorded = recorder->finish();
   verdict.bus_log_sha256 = recorded.bus_log_sha256;
+  verdict.frames_lost += recorded.frames_dropped;
   if (recorded.error) {
     throw RecordingFailure(
         fmt::format("{}\n  the run ended at {:.3f} s; what was recorded until then is kept\n  remedy: "

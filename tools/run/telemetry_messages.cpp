@@ -92,6 +92,17 @@ bus_statistics_t bus_message(std::int64_t utime_us, std::uint32_t tick, const ca
   return message;
 }
 
+timing_statistics_t timing_message(std::int64_t utime_us, std::uint32_t tick,
+                                   const host::TickHistogram& tick_times) noexcept {
+  timing_statistics_t message{};
+  message.utime = utime_us;
+  message.tick = tick;
+  message.tick_p50_us = tick_times.p50_us();
+  message.tick_p999_us = tick_times.p999_us();
+  message.tick_max_us = tick_times.max_us();
+  return message;
+}
+
 event_t event_message(std::int64_t utime_us, std::uint32_t tick, std::int8_t code, const char* name,
                       double value) noexcept {
   event_t message{};

@@ -36,9 +36,10 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     WrongType, RefusedScenario,
     testing::Values(
-        BadInput{"[gait]\nhalf_step_m = \"long\"",
-                 "walk.toml:2:15: gait.half_step_m is the string \"long\"; expected a number, more than 0, up to 0.5 m\n"
-                 "  remedy: give the half travel of a foot about the reference, b_s, or remove the key to use 0.08"},
+        BadInput{
+            "[gait]\nhalf_step_m = \"long\"",
+            "walk.toml:2:15: gait.half_step_m is the string \"long\"; expected a number, more than 0, up to 0.5 m\n"
+            "  remedy: give the half travel of a foot about the reference, b_s, or remove the key to use 0.08"},
         BadInput{"seed = 1.5", "walk.toml:1:8: seed is the float 1.5; expected an integer, 0 to "},
         BadInput{"seed = -1", "walk.toml:1:8: seed is -1; expected 0 to "},
         BadInput{"seed = 9223372036854775807", "walk.toml:1:8: seed is 9223372036854775807; expected 0 to "},
