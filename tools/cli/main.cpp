@@ -43,7 +43,7 @@ int main(int argc, char** argv) {
   app.footer(
       "Pictures of a run: tools/surefoot plot DIR. All arguments: surefoot SUBCOMMAND --help.\n"
       "Exit codes: 0 the verdict holds, 2 the robot fell or a limit broke, 3 a latched fault, 64 usage,\n"
-      "65 bad input, 69 something the machine lacks (disk, permission), 70 a bug, 130 interrupted.");
+      "65 bad input, 69 something the machine lacks (disk, permission, multicast route), 70 a bug, 130 interrupted.");
   ExitCode result = ExitCode::kBug;
   surefoot::cli::add_run(app, result);
   surefoot::cli::add_replay(app, result);

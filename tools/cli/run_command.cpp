@@ -131,7 +131,8 @@ void add_run(CLI::App& app, run::ExitCode& result) {
   command->add_flag("--overwrite", arguments->overwrites, "Replace the run that the folder of --out holds already")
       ->needs(folder);
   command->add_flag("--json", arguments->is_json, "Print verdict.json instead of text");
-  CLI::Option* live = command->add_flag("--live", arguments->is_live, "Publish telemetry over LCM too (udpm, ttl 0)");
+  CLI::Option* live = command->add_flag("--live", arguments->is_live,
+                                        "Publish telemetry over LCM too (udpm, ttl 0); needs a multicast route");
   command->add_flag("--no-record", arguments->is_unrecorded, "Write no run folder")->excludes(folder)->excludes(live);
   command
       ->add_option("--pace", arguments->pace,
@@ -141,13 +142,13 @@ void add_run(CLI::App& app, run::ExitCode& result) {
   command->footer(
       "Ctrl-C ends a run early; what was recorded until then is kept and can be plotted and replayed.\n"
       "Exit codes: 0 the verdict holds, 2 the robot fell or a limit broke, 3 a latched fault, 64 usage,\n"
-      "65 bad scenario, 69 run folder cannot be written, 130 interrupted.\n"
+      "65 bad scenario, 69 the machine lacks something (disk, permission, multicast route), 130 interrupted.\n"
       "Examples:\n"
       "  surefoot run\n"
       "  surefoot run tools/scenarios/no_payload.toml --json\n"
-      "  surefoot run --set reflex.method=off                 # exit 2: the robot falls\n"
-      "  surefoot run --set payload.0.mass_kg=10 --set reflex.method=modified --out runs/ten\n"
-      "  surefoot run --live --pace 1                         # and `lcm-spy` or `lcm-logger` beside it\n"
+      "  surefoot run --set reflex.method=off                 # exit code 2: the robot falls\n"
+      "  surefoot run --set payload.0.mass_kg=10 --out runs/ten\n"
+      "  surefoot run --live --pace 1                         # and `lcm-logger` beside it\n"
       "All keys with units, ranges and defaults: surefoot keys");
   command->callback([arguments, &result] { result = run_scenario(*arguments); });
 }

@@ -1,0 +1,98 @@
+"""Live telemetry, heard by PyPI's lcm inside a network namespace of its own: no other traffic, nothing left behind."""
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import lcm
+import pytest
+from command_line import MACHINE_LACKS, ROOT, SHORT, binary, surefoot
+
+from tools.plots.messages import message_types
+
+_MULTICAST_OVER_LO = """\
+ip link set lo up && ip link set lo multicast on && ip route add 224.0.0.0/4 dev lo || exit 99
+exec "$@"
+"""
+_EVERY_TICKS = 10  # states and truths: few enough for the smallest receive buffer
+
+
+@pytest.fixture(scope="module")
+def in_own_network() -> list[str]:
+    """The begin of a command line that runs with a network of its own: a loopback that is down, and no route."""
+    for program in ("unshare", "ip"):
+        assert shutil.which(program), f"{program} is missing; run tools/setup"
+    prefix = ["unshare", "-n"] if os.geteuid() == 0 else ["unshare", "-rn"]
+    tried = subprocess.run([*prefix, "ip", "link", "set", "lo", "up"], capture_output=True, text=True, check=False)
+    if tried.returncode != 0:
+        pytest.skip(f"this machine permits no network namespace: {tried.stderr.strip()}")
+    return prefix
+
+
+@pytest.fixture(scope="module")
+def live_run(in_own_network: list[str], tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with what a walk recorded (run/) and what was heard of it meanwhile (heard.lcmlog)."""
+    folder = tmp_path_factory.mktemp("live")
+    walk = [binary(), "run", *SHORT, "--set", f"telemetry.every_ticks={_EVERY_TICKS}", "--live", "--pace", "2"]
+    listen = [sys.executable, str(ROOT / "tests" / "python" / "live_listener.py"), str(folder / "heard.lcmlog")]
+    finished = subprocess.run(
+        [*in_own_network, "sh", "-c", _MULTICAST_OVER_LO, "sh", *listen, *walk, "--out", str(folder / "run")],
+        capture_output=True, text=True, timeout=20, check=False,
+    )  # fmt: skip
+    assert finished.returncode == 0, finished.stderr
+    return folder
+
+
+def _messages(log: Path) -> list[tuple[str, bytes]]:
+    return [(event.channel, event.data) for event in lcm.EventLog(str(log), "r")]
+
+
+def _ticks(messages: list[tuple[str, bytes]], channel: str, message_type: str) -> list[int]:
+    decode = getattr(message_types(), message_type).decode
+    return [decode(encoded).tick for name, encoded in messages if name == channel]
+
+
+# The walk of SHORT has 5500 ticks from power-up to its end.
+@pytest.mark.parametrize(
+    ("channel", "message_type", "first", "period"),
+    [
+        ("SUREFOOT_STATE", "controller_state_t", 0, _EVERY_TICKS),
+        ("SUREFOOT_TRUTH", "simulator_truth_t", 0, _EVERY_TICKS),
+        ("SUREFOOT_BUS", "bus_statistics_t", 99, 100),
+        ("SUREFOOT_TIMING", "timing_statistics_t", 999, 1000),
+    ],
+)
+def test_every_channel_is_heard_at_its_rate(live_run: Path, channel: str, message_type: str, first: int, period: int):
+    assert _ticks(_messages(live_run / "heard.lcmlog"), channel, message_type) == list(range(first, 5500, period))
+
+
+def test_timing_of_a_walk_is_of_the_wall_clock(live_run: Path):
+    for channel, encoded in _messages(live_run / "heard.lcmlog"):
+        if channel == "SUREFOOT_TIMING":
+            timing = message_types().timing_statistics_t.decode(encoded)
+            assert 0.0 < timing.tick_p50_us <= timing.tick_p999_us <= timing.tick_max_us
+            assert timing.allocations == 0 and timing.telemetry_dropped == 0
+
+
+def test_the_log_holds_what_was_heard_but_for_the_wall_clock(live_run: Path):
+    recorded = _messages(live_run / "run" / "telemetry.lcmlog")
+    heard = _messages(live_run / "heard.lcmlog")
+    assert "SUREFOOT_TIMING" not in {channel for channel, _ in recorded}
+    assert [message for message in heard if message[0] != "SUREFOOT_TIMING"] == recorded
+
+
+def test_live_without_a_multicast_route_is_refused_with_a_remedy(in_own_network: list[str], tmp_path: Path):
+    run = tmp_path / "run"
+    finished = surefoot("run", *SHORT, "--live", "--out", run, prefix=in_own_network)
+    message = finished.stderr.decode()  # liblcm has its own say first
+    assert finished.returncode == MACHINE_LACKS, message
+    assert finished.stdout == b""
+    assert "\nLCM can not open udpm://" in message
+    remedy = message.splitlines()[-1]
+    assert remedy.startswith("  remedy: ") and "ip route add 224.0.0.0/4 dev lo" in remedy
+    assert "a bug" not in message
+    assert not (run / "verdict.json").exists()
+    finished = surefoot("run", *SHORT, "--out", run, prefix=in_own_network)
+    assert finished.returncode == 0, "nothing was recorded, so nothing is in the way of a run without --live"
