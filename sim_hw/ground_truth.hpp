@@ -21,6 +21,7 @@ struct GroundTruth {
   PerSide<LegVector> rate_rad_s{};
   PerSide<LegVector> torque_nm{};  ///< applied by the motors at the end of the period
   double zmp_x_body_m = 0.0;       ///< from the contact forces
+  int payloads_hung = 0;           ///< so far
   double payload_kg = 0.0;         ///< hung on so far
   double slip_m = 0.0;      ///< running total: way the soles slid over the floor, weighted with the share of load
   bool has_fallen = false;  ///< latched: the body is below half its height or tilted by more than 45 degrees

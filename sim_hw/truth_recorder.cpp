@@ -37,6 +37,7 @@ void TruthRecorder::close_period(const World& world, const PerSide<LegVector>& t
   read_pose(world);
   truth_.time_s = time_s;
   truth_.torque_nm = torque_nm;
+  truth_.payloads_hung = world.payloads_hung();
   truth_.payload_kg = world.payload_kg();
   truth_.slip_m = world.slip_m();
 

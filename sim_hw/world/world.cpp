@@ -48,6 +48,7 @@ void World::advance(const PerSide<LegVector>& motor_torque_nm, double step_s) no
 
 void World::hang(const PayloadConfig& payload) noexcept {
   robot_.set_trunk(hang_payload(robot_.trunk(), payload));
+  ++payloads_hung_;
   payload_kg_ += payload.mass_kg;
 }
 

@@ -27,13 +27,15 @@ class World {
   [[nodiscard]] const PerSide<SoleLoad>& loads() const noexcept { return floor_->loads(); }
   /// Way the soles have slid, each corner weighted with its share of the load.
   [[nodiscard]] double slip_m() const noexcept { return slip_m_; }
-  /// Mass of all boxes hung on so far.
+  /// Boxes hung on so far, and their mass.
+  [[nodiscard]] int payloads_hung() const noexcept { return payloads_hung_; }
   [[nodiscard]] double payload_kg() const noexcept { return payload_kg_; }
 
  private:
   RobotModel robot_;
   std::unique_ptr<Floor> floor_;
   double slip_m_ = 0.0;
+  int payloads_hung_ = 0;
   double payload_kg_ = 0.0;
 };
 

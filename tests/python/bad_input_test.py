@@ -8,13 +8,14 @@ import pytest
 from command_line import BAD_INPUT, ROOT, SHORT, USAGE, assert_refused, plot, surefoot
 
 _MAIN = (ROOT / "tools" / "scenarios" / "main.toml").read_bytes()
+_MAIN_CUT = _MAIN[: _MAIN.index(b"original") + 4]  # within the string of line 'method = "original"'
 _GARBAGE = bytes(range(256)) * 8
 
 # What the file holds, where the mistake is (line and column, nothing for the file as a whole), what is said about it.
 _SCENARIOS = {
     "empty": (b"", "", "is empty"),
     "only_a_comment": (b"# nothing\n", "", "is empty"),
-    "truncated_in_a_string": (_MAIN[: _MAIN.index(b"original") + 4], ":10:15", "is not TOML"),
+    "truncated_in_a_string": (_MAIN_CUT, f":{len(_MAIN_CUT.splitlines())}:15", "is not TOML"),
     "truncated_in_a_table_name": (b"seed = 1\n[refl", ":2:6", "is not TOML"),
     "truncated_behind_a_key": (b"seed = 1\nduration_s =", ":2:", "is not TOML"),
     "latin_1": ("seed = 1\n# für\n".encode("latin-1"), ":2:3", "utf-8"),

@@ -11,7 +11,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 USAGE, BAD_INPUT, MACHINE_LACKS, INTERRUPTED = 64, 65, 69, 130
 
-# 5.3 s from power-up to time zero instead of 12: what is refused or cut short need not walk far.
+# 9.5 s from power-up to time zero instead of 12: what is refused or cut short need not walk far.
 SHORT = [
     "--set", "reflex.standing_s=0.5", "--set", "detector.warm_up_s=0", "--set", "detector.learning_s=4.8",
     "--set", "duration_s=0.2", "--set", "payload=[]",

@@ -16,7 +16,8 @@ _MULTICAST_OVER_LO = """\
 ip link set lo up && ip link set lo multicast on && ip route add 224.0.0.0/4 dev lo || exit 99
 exec "$@"
 """
-_EVERY_TICKS = 10  # states and truths: few enough for the smallest receive buffer
+_TICKS = 9700  # of SHORT, from power-up to its end
+_EVERY_TICKS = 50  # states and truths: few, for a receive buffer that a busy machine leaves unread for a while
 
 
 @pytest.fixture(scope="module")
@@ -35,7 +36,7 @@ def in_own_network() -> list[str]:
 def live_run(in_own_network: list[str], tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with what a walk recorded (run/) and what was heard of it meanwhile (heard.lcmlog)."""
     folder = tmp_path_factory.mktemp("live")
-    walk = [binary(), "run", *SHORT, "--set", f"telemetry.every_ticks={_EVERY_TICKS}", "--live", "--pace", "2"]
+    walk = [binary(), "run", *SHORT, "--set", f"telemetry.every_ticks={_EVERY_TICKS}", "--live", "--pace", "4"]
     listen = [sys.executable, str(ROOT / "tests" / "python" / "live_listener.py"), str(folder / "heard.lcmlog")]
     finished = subprocess.run(
         [*in_own_network, "sh", "-c", _MULTICAST_OVER_LO, "sh", *listen, *walk, "--out", str(folder / "run")],
@@ -54,7 +55,6 @@ def _ticks(messages: list[tuple[str, bytes]], channel: str, message_type: str) -
     return [decode(encoded).tick for name, encoded in messages if name == channel]
 
 
-# The walk of SHORT has 5500 ticks from power-up to its end.
 @pytest.mark.parametrize(
     ("channel", "message_type", "first", "period"),
     [
@@ -65,7 +65,11 @@ def _ticks(messages: list[tuple[str, bytes]], channel: str, message_type: str) -
     ],
 )
 def test_every_channel_is_heard_at_its_rate(live_run: Path, channel: str, message_type: str, first: int, period: int):
-    assert _ticks(_messages(live_run / "heard.lcmlog"), channel, message_type) == list(range(first, 5500, period))
+    heard = _ticks(_messages(live_run / "heard.lcmlog"), channel, message_type)
+    promised = range(first, _TICKS, period)
+    assert set(heard) <= set(promised)
+    assert heard == sorted(set(heard)), "out of order, or twice"
+    assert len(heard) > len(promised) / 2, "UDP may lose some"
 
 
 def test_timing_of_a_walk_is_of_the_wall_clock(live_run: Path):
@@ -78,9 +82,10 @@ def test_timing_of_a_walk_is_of_the_wall_clock(live_run: Path):
 
 def test_the_log_holds_what_was_heard_but_for_the_wall_clock(live_run: Path):
     recorded = _messages(live_run / "run" / "telemetry.lcmlog")
-    heard = _messages(live_run / "heard.lcmlog")
-    assert "SUREFOOT_TIMING" not in {channel for channel, _ in recorded}
-    assert [message for message in heard if message[0] != "SUREFOOT_TIMING"] == recorded
+    heard = [message for message in _messages(live_run / "heard.lcmlog") if message[0] != "SUREFOOT_TIMING"]
+    assert {channel for channel, _ in recorded} == {f"SUREFOOT_{name}" for name in ("STATE", "TRUTH", "BUS", "EVENT")}
+    rest = iter(recorded)
+    assert all(message in rest for message in heard), "heard what is not in the log, or in another order"
 
 
 def test_live_without_a_multicast_route_is_refused_with_a_remedy(in_own_network: list[str], tmp_path: Path):

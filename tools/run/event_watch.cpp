@@ -7,7 +7,7 @@ namespace surefoot::run {
 std::span<const RunEvent> EventWatch::observe(const TickOutput& output, const sim_hw::GroundTruth& truth) noexcept {
   count_ = 0;
   const decision::Decision& decision = output.decision;
-  if (truth.payload_kg != payload_kg_) {
+  if (truth.payloads_hung != payloads_hung_) {
     add(event_t::PAYLOAD_ATTACHED, "payload_attached", truth.payload_kg - payload_kg_);
   }
   if (decision.event) {
@@ -22,6 +22,7 @@ std::span<const RunEvent> EventWatch::observe(const TickOutput& output, const si
   if (output.fault != fault_) {
     add(event_t::FAULT_LATCHED, safety::name(output.fault), static_cast<double>(output.fault));
   }
+  payloads_hung_ = truth.payloads_hung;
   payload_kg_ = truth.payload_kg;
   is_reachable_ = output.joint_reference.is_reachable;
   has_fallen_ = truth.has_fallen;

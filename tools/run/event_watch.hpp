@@ -28,6 +28,7 @@ class EventWatch {
 
   std::array<RunEvent, 6> events_{};  ///< at most one of each kind in a tick
   std::size_t count_ = 0;
+  int payloads_hung_ = 0;
   double payload_kg_ = 0.0;
   bool has_fallen_ = false;
   bool is_reachable_ = true;

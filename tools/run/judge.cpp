@@ -26,6 +26,7 @@ Judge::Judge(const scenario::Scenario& scenario)
       standing_s_(scenario.firmware.reflex.standing_s),
       time_zero_s_(scenario.sim.time_zero_s),
       payload_count_(scenario.sim.payloads.size()) {
+  partial_.ended_at_s = -time_zero_s_;
   partial_.events.reserve(kMaxEvents);
 }
 
@@ -57,19 +58,17 @@ void Judge::observe(const TickOutput& output, const sim_hw::GroundTruth& truth,
 
   has_fallen_ = truth.has_fallen;
   fault_ = output.fault;
+  partial_.payloads_attached = truth.payloads_hung;
   for (const RunEvent& event : events) {
     if (partial_.events.size() < kMaxEvents) partial_.events.push_back({event.name, time_s});
-    count_payloads(event);
+    count_detections(event);
   }
 }
 
-void Judge::count_payloads(const RunEvent& event) noexcept {
-  if (event.code == event_t::PAYLOAD_ATTACHED) {
-    ++partial_.payloads_attached;
-  } else if (event.code == event_t::PAYLOAD_DETECTED || event.code == event_t::PAYLOAD_SEEN) {
-    if (partial_.payloads_attached == 0) ++partial_.false_alarms;
-    partial_.payloads_detected = std::min(partial_.payloads_detected + 1, partial_.payloads_attached);
-  }
+void Judge::count_detections(const RunEvent& event) noexcept {
+  if (event.code != event_t::PAYLOAD_DETECTED && event.code != event_t::PAYLOAD_SEEN) return;
+  if (partial_.payloads_attached == 0) ++partial_.false_alarms;
+  partial_.payloads_detected = std::min(partial_.payloads_detected + 1, partial_.payloads_attached);
 }
 
 void Judge::observe_torques(const sim_hw::GroundTruth& truth) noexcept {
@@ -82,6 +81,7 @@ void Judge::observe_torques(const sim_hw::GroundTruth& truth) noexcept {
       if (has_last_torque_) {
         const double change_nm = torque_nm - last_torque_nm_[index(side)][joint];
         ripple_square_sum_ += change_nm * change_nm;
+        ++joint_changes_;
       }
       ++joint_ticks_;
     }
@@ -124,10 +124,10 @@ void Judge::decide_outcome(Verdict& verdict, bool was_interrupted) const {
   } else if (was_interrupted) {
     decide(Outcome::kInterrupted, fmt::format("stopped at {:.3f} s; what was recorded is kept", verdict.ended_at_s));
   } else if (limits_.max_abs_pitch_deg > 0.0 && largest_pitch_deg > limits_.max_abs_pitch_deg) {
-    decide(Outcome::kLimit, fmt::format("torso pitch reached {:.2f} deg, limits.max_abs_pitch_deg is {}",
+    decide(Outcome::kLimit, fmt::format("torso pitch reached {:.3f} deg, limits.max_abs_pitch_deg is {}",
                                         largest_pitch_deg, limits_.max_abs_pitch_deg));
   } else if (limits_.max_abs_roll_deg > 0.0 && largest_roll_deg > limits_.max_abs_roll_deg) {
-    decide(Outcome::kLimit, fmt::format("torso roll reached {:.2f} deg, limits.max_abs_roll_deg is {}",
+    decide(Outcome::kLimit, fmt::format("torso roll reached {:.3f} deg, limits.max_abs_roll_deg is {}",
                                         largest_roll_deg, limits_.max_abs_roll_deg));
   } else if (verdict.payloads_attached < payload_count) {
     decide(Outcome::kLimit, fmt::format("only {} of {} payloads were hung on before the end; raise duration_s",
@@ -136,7 +136,7 @@ void Judge::decide_outcome(Verdict& verdict, bool was_interrupted) const {
     decide(Outcome::kLimit, "the payload detector fired before there was a payload");
   } else if (needs_recovery && verdict.cycles_after_recovery < limits_.min_cycles_after_recovery) {
     decide(Outcome::kLimit,
-           fmt::format("{:.2f} cycles walked after recovery, limits.min_cycles_after_recovery is {}; a longer "
+           fmt::format("{:.4f} cycles walked after recovery, limits.min_cycles_after_recovery is {}; a longer "
                        "duration_s may be all it needs",
                        verdict.cycles_after_recovery, limits_.min_cycles_after_recovery));
   } else {
@@ -150,7 +150,8 @@ void Judge::decide_outcome(Verdict& verdict, bool was_interrupted) const {
 Verdict Judge::verdict(bool was_interrupted) const {
   Verdict verdict = partial_;
   const double joint_ticks = static_cast<double>(std::max<std::uint64_t>(joint_ticks_, 1));
-  verdict.torque_ripple_nm = std::sqrt(ripple_square_sum_ / joint_ticks);
+  verdict.torque_ripple_nm =
+      std::sqrt(ripple_square_sum_ / static_cast<double>(std::max<std::uint64_t>(joint_changes_, 1)));
   verdict.time_at_torque_limit_percent = 100.0 * static_cast<double>(joint_ticks_at_limit_) / joint_ticks;
   verdict.foot_slip_mm = 1e3 * (slip_m_ - slip_at_zero_m_) / std::max(verdict.steps_walked, 1);
   if (standing_zmp_ticks_ > 0) {

@@ -27,7 +27,7 @@ class Judge {
   [[nodiscard]] Verdict verdict(bool was_interrupted) const;
 
  private:
-  void count_payloads(const RunEvent& event) noexcept;
+  void count_detections(const RunEvent& event) noexcept;
   void observe_torques(const sim_hw::GroundTruth& truth) noexcept;
   void observe_gait(const TickOutput& output, double time_s) noexcept;
   void decide_outcome(Verdict& verdict, bool was_interrupted) const;
@@ -47,6 +47,7 @@ class Judge {
   PerSide<LegVector> last_torque_nm_{};
   bool has_last_torque_ = false;
   double ripple_square_sum_ = 0.0;
+  std::uint64_t joint_changes_ = 0;
   std::uint64_t joint_ticks_ = 0;
   std::uint64_t joint_ticks_at_limit_ = 0;
   double slip_at_zero_m_ = 0.0;

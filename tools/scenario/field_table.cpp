@@ -69,7 +69,7 @@ Scenario preset(const std::string& plant) {
   scenario.plant = plant;
   if (plant == "thesis") {
     // Calibrated so that the unaided robot falls as the thesis' does (Table 4.1): 2.5 kg survived, 5 kg not, at any
-    // instant. Toes of 0.1205 to 0.1228 m do; the longest is taken, where halving the physics step changes no verdict.
+    // instant. Toes of 0.117 to 0.1228 m do; the longest is taken, where halving the physics step changes no verdict.
     // A calibration, then, not a prediction.
     scenario.firmware.geometry.sole_heel_m = 0.0923;
     scenario.firmware.geometry.sole_toe_m = 0.1228;

@@ -39,12 +39,14 @@ TEST_F(EventWatchTest, SeesNothingWhileNothingChanges) {
 }
 
 TEST_F(EventWatchTest, TellsTheMassOfEachPayloadNotTheSum) {
+  truth.payloads_hung = 1;
   truth.payload_kg = 5.0;
   const RunEvent first = only_event();
   EXPECT_EQ(first.code, event_t::PAYLOAD_ATTACHED);
   EXPECT_STREQ(first.name, "payload_attached");
   EXPECT_DOUBLE_EQ(first.value, 5.0);
   EXPECT_THAT(names(), IsEmpty()) << "it hangs on, it is not hung on again";
+  truth.payloads_hung = 2;
   truth.payload_kg = 7.0;
   EXPECT_DOUBLE_EQ(only_event().value, 2.0);
 }
@@ -109,14 +111,14 @@ TEST_F(EventWatchTest, TellsAFaultOnceWithItsNumberAndName) {
 
 // Everything at once: the world first, then what the firmware makes of it.
 TEST_F(EventWatchTest, TellsAllThatHappensInOneTickInOrder) {
+  truth.payloads_hung = 1;
   truth.payload_kg = 15.0;
   truth.has_fallen = true;
   output.decision.event = decision::ReflexEvent::kPayloadDetected;
   output.decision.is_payload_seen = true;
   output.joint_reference.is_reachable = false;
   output.fault = safety::Fault::kJointOutOfRange;
-  EXPECT_THAT(names(),
-              ElementsAre("payload_attached", "payload_detected", "reach_lost", "fell", "joint_out_of_range"));
+  EXPECT_THAT(names(), ElementsAre("payload_attached", "payload_detected", "reach_lost", "fell", "joint_out_of_range"));
 }
 
 }  // namespace
