@@ -59,6 +59,8 @@ struct SimulatedRobot::Parts {
   can::Rejection take_sync(const can::CanFrame& frame) noexcept {
     can::FrameStamp stamp;
     if (const auto rejection = can::decode_sync(frame, stamp); rejection != can::Rejection::kNone) return rejection;
+    if (was_synchronised && stamp.tick == tick) return can::Rejection::kRepeated;
+    if (is_past(stamp.tick)) return can::Rejection::kLate;
     if (const auto rejection = sync_watch.step(stamp.counter); rejection != can::Rejection::kNone) return rejection;
     catch_up(stamp.tick);
     tick = stamp.tick;
@@ -74,6 +76,11 @@ struct SimulatedRobot::Parts {
     }
     imu.on_sync(tick, recorder.torso(), outbox);
     return can::Rejection::kNone;
+  }
+
+  /// An old SYNC played back. Tick 0, and a tick from further back, is a controller that started anew.
+  [[nodiscard]] bool is_past(std::uint32_t next_tick) const noexcept {
+    return was_synchronised && next_tick != 0 && tick - next_tick <= kMaxLostTicks;
   }
 
   can::Rejection take_command(Side side, const can::CanFrame& frame) noexcept {
@@ -157,6 +164,7 @@ NodeCounters SimulatedRobot::counters() const noexcept {
   NodeCounters counters = parts_->counters;
   counters.sent = parts_->outbox.sent();
   counters.refused_by_bus = parts_->outbox.dropped();
+  counters.lost = parts_->sync_watch.lost() + parts_->leg[0].lost() + parts_->leg[1].lost();
   return counters;
 }
 

@@ -16,6 +16,7 @@ struct NodeCounters {
   std::uint64_t refused_by_bus = 0;         ///< the bus did not take them
   std::uint64_t received = 0;               ///< accepted
   std::array<std::uint64_t, 7> rejected{};  ///< by `can::Rejection`
+  std::uint64_t lost = 0;                   ///< gaps in the rolling counters of SYNC and torque frames
 };
 
 /// The simulated robot as the firmware meets it: five nodes on a CAN bus.

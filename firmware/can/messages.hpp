@@ -36,7 +36,7 @@ struct LegStatus {
 /// NMT states of CiA 301, the first byte of a heartbeat.
 enum class NodeState : std::uint8_t { kBootUp = 0x00, kStopped = 0x04, kOperational = 0x05, kPreOperational = 0x7F };
 
-/// Version of surefoot.dbc that both sides must agree on; in every heartbeat.
+/// Version of surefoot.dbc, in every heartbeat. A heartbeat with another version is refused and counted.
 inline constexpr std::uint8_t kProtocolVersion = 1;
 
 struct Heartbeat {
@@ -46,7 +46,7 @@ struct Heartbeat {
 
 /// CiA 301 emergency: code and error register.
 struct Emergency {
-  std::uint16_t code = 0;  ///< 0x8130 watchdog, 0x2310 torque limit, 0x0000 error reset
+  std::uint16_t code = 0;  ///< 0x8130 watchdog, 0x0000 error reset
   std::uint8_t error_register = 0;
 };
 

@@ -37,6 +37,9 @@ class LegBoard {
   /// Whether this tick's command has been accepted.
   [[nodiscard]] bool has_command() const noexcept { return has_command_; }
 
+  /// Torque frames that never came, by the gaps in their counter.
+  [[nodiscard]] std::uint32_t lost() const noexcept { return command_watch_.lost(); }
+
   /// Motor torques for the physics step that begins now. Call once a step.
   [[nodiscard]] const LegVector& begin_step(const LegVector& rate_rad_s, FrameOutbox&) noexcept;
 

@@ -120,7 +120,8 @@ TEST_F(Recorded, AStopFromOutsideLeavesAValidShorterRun) {
 TEST(CandumpLog, RefusesWhatIsNoCanFdFrame) {
   for (const char* line :
        {"", "(0.000000)", "(0.000000) can0 181#00", "(0.000000) can0 181##1ZZ", "(0.000000) can0 181##1ABC",
-        "(x.000000) can0 181##1AB", "(0.000) can0 181##1AB", "(0.000000) can0 800##1AB", "can0 181##1AB"}) {
+        "(x.000000) can0 181##1AB", "(9223372036855.000000) can0 181##1AB", "(-1.000000) can0 181##1AB",
+        "(0.000) can0 181##1AB", "(0.000000) can0 800##1AB", "can0 181##1AB"}) {
     EXPECT_FALSE(parse_candump_line(line)) << line;
   }
   const std::optional<LoggedFrame> logged = parse_candump_line("(12.345678) can0 181##1AB01");

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/closed_loop/run_scenario.hpp"
 
 namespace surefoot::run {
@@ -12,6 +14,8 @@ struct Variant {
   const char* name;
   const char* scenario;
   std::vector<std::string> overrides;
+  double max_ripple_nm = 0.45;  // 0.31 to 0.40 without chatter; rigid contact 0.66 to 0.75
+  double max_slip_mm = 18.0;    // a step; 15.5 on the slippery floor, below 1 on the other
 };
 
 void PrintTo(const Variant& variant, std::ostream* stream) { *stream << variant.name; }
@@ -26,8 +30,8 @@ TEST_P(Walk, GoesOnForTwentyCyclesQuietly) {
   EXPECT_LE(verdict.torso_pitch_deg.largest_magnitude(), 2.5);
   EXPECT_LE(verdict.torso_roll_deg.largest_magnitude(), 2.5);
   EXPECT_LT(verdict.time_at_torque_limit_percent, 0.1);
-  EXPECT_LT(verdict.torque_ripple_nm, 1.0);
-  EXPECT_LT(verdict.foot_slip_mm, 25.0);
+  EXPECT_LT(verdict.torque_ripple_nm, GetParam().max_ripple_nm);
+  EXPECT_LT(verdict.foot_slip_mm, GetParam().max_slip_mm);
   EXPECT_NEAR(verdict.standing_zmp_x_body_m, -0.035, 0.003);  // statics of the printed masses
   EXPECT_EQ(verdict.unreachable_ticks, 0);
   EXPECT_EQ(verdict.frames_lost, 0U);
@@ -43,8 +47,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Variant{"nominal_half_step", "no_payload_nominal", {"physics.step_s=0.00025"}},
                       Variant{"thesis_quarter_step", "no_payload", {"physics.step_s=0.000125"}},
                       Variant{"nominal_quarter_step", "no_payload_nominal", {"physics.step_s=0.000125"}},
-                      Variant{"thesis_bullet_contact", "no_payload", {"contact.model=bullet"}},
-                      Variant{"nominal_bullet_contact", "no_payload_nominal", {"contact.model=bullet"}}),
+                      Variant{"thesis_bullet_contact", "no_payload", {"contact.model=bullet"}, 0.9, 22.0},
+                      Variant{"nominal_bullet_contact", "no_payload_nominal", {"contact.model=bullet"}, 0.9, 3.0}),
     [](const auto& variant) { return std::string(variant.param.name); });
 
 // Sensor noise moves the learned threshold with it: no false alarm, no fall.
@@ -52,7 +56,9 @@ TEST(Walk, IsNotDisturbedBySensorNoise) {
   const Verdict verdict = run_scenario("main", {"sensor.encoder_noise_rad=2e-5", "sensor.joint_rate_noise_rad_s=0.005",
                                                 "sensor.force_noise_n=2.0", "sensor.gyro_noise_rad_s=0.005"});
   ASSERT_EQ(verdict.outcome, Outcome::kWalked) << verdict.reason;
-  EXPECT_GE(*time_of(verdict, "payload_detected"), 1.2);
+  EXPECT_GE(time_of(verdict, "payload_detected").value_or(NAN), 1.2);
+  EXPECT_LE(time_of(verdict, "payload_detected").value_or(NAN), 1.35);
+  EXPECT_EQ(verdict.false_alarms, 0);
 }
 
 }  // namespace

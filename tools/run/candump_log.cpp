@@ -9,6 +9,8 @@
 namespace surefoot::run {
 namespace {
 
+constexpr std::int64_t kMaxSeconds = 9'999'999'999;  // ten digits, as candump writes them
+
 template <typename Integer>
 bool parse_whole(std::string_view text, Integer& value, int base) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
@@ -23,8 +25,9 @@ bool parse_stamp(std::string_view text, std::int64_t& elapsed_us) {
   if (!parse_whole(text.substr(0, point), seconds, 10) || !parse_whole(text.substr(point + 1), microseconds, 10)) {
     return false;
   }
+  if (seconds < 0 || seconds > kMaxSeconds || microseconds < 0) return false;
   elapsed_us = seconds * 1'000'000 + microseconds;
-  return seconds >= 0 && microseconds >= 0;
+  return true;
 }
 
 bool parse_payload(std::string_view text, can::CanFrame& frame) {

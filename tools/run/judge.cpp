@@ -66,9 +66,13 @@ void Judge::observe(const TickOutput& output, const sim_hw::GroundTruth& truth,
 }
 
 void Judge::count_detections(const RunEvent& event) noexcept {
-  if (event.code != event_t::PAYLOAD_DETECTED && event.code != event_t::PAYLOAD_SEEN) return;
-  if (partial_.payloads_attached == 0) ++partial_.false_alarms;
-  partial_.payloads_detected = std::min(partial_.payloads_detected + 1, partial_.payloads_attached);
+  const bool is_answered = event.code == event_t::PAYLOAD_DETECTED;
+  if (!is_answered && event.code != event_t::PAYLOAD_SEEN) return;
+  if (partial_.payloads_detected < partial_.payloads_attached) {
+    ++partial_.payloads_detected;
+  } else if (is_answered || partial_.payloads_attached == 0) {
+    ++partial_.false_alarms;  // with the reflex off the load's own ripple crosses the threshold again and again
+  }
 }
 
 void Judge::observe_torques(const sim_hw::GroundTruth& truth) noexcept {
@@ -133,7 +137,8 @@ void Judge::decide_outcome(Verdict& verdict, bool was_interrupted) const {
     decide(Outcome::kLimit, fmt::format("only {} of {} payloads were hung on before the end; raise duration_s",
                                         verdict.payloads_attached, payload_count));
   } else if (verdict.false_alarms > 0) {
-    decide(Outcome::kLimit, "the payload detector fired before there was a payload");
+    decide(Outcome::kLimit,
+           fmt::format("the payload detector fired {} time(s) without a payload", verdict.false_alarms));
   } else if (needs_recovery && verdict.cycles_after_recovery < limits_.min_cycles_after_recovery) {
     decide(Outcome::kLimit,
            fmt::format("{:.4f} cycles walked after recovery, limits.min_cycles_after_recovery is {}; a longer "

@@ -11,6 +11,7 @@
 #include <thread>
 #include <utility>
 
+#include "firmware/core/decision/tick_time.hpp"
 #include "firmware/core/gait/stance.hpp"
 #include "firmware/core/kinematics/leg_kinematics.hpp"
 #include "firmware/host/allocation_guard.hpp"
@@ -77,11 +78,8 @@ struct Schedule {
 Schedule schedule_of(const scenario::Scenario& scenario) {
   const ControllerConfig& firmware = scenario.firmware;
   const double zero_s = decision::time_zero_s(firmware.walk, firmware.reflex, firmware.detector);
-  const auto whole_ticks = [&](double time_s) {
-    return static_cast<std::int64_t>(std::ceil(time_s / firmware.period_s - 1e-6));
-  };
-  const std::int64_t zero_tick = whole_ticks(zero_s);
-  return {zero_tick, zero_tick + whole_ticks(scenario.duration_s)};
+  const std::int64_t zero_tick = decision::first_tick_at(zero_s, firmware.period_s);
+  return {zero_tick, zero_tick + decision::first_tick_at(scenario.duration_s, firmware.period_s)};
 }
 
 std::unique_ptr<host::RunRecorder> open_recorder(const scenario::Scenario& scenario, const RunOptions& options) {
@@ -149,7 +147,8 @@ class LockstepRun {
     verdict.real_time_factor = static_cast<double>(tick_) * period_s_ / wall_s;
     verdict.frames_sent = watch_.frames();
     verdict.frames_lost = frames_lost();
-    verdict.frames_late = firmware_.counters().rejected[static_cast<std::size_t>(can::Rejection::kLate)];
+    constexpr auto kLate = static_cast<std::size_t>(can::Rejection::kLate);
+    verdict.frames_late = firmware_.counters().rejected[kLate] + robot_.counters().rejected[kLate];
     verdict.bus_load_percent = watch_.load_percent(static_cast<double>(tick_) * period_s_);
     return verdict;
   }
@@ -159,7 +158,7 @@ class LockstepRun {
   [[nodiscard]] std::uint64_t frames_lost() const noexcept {
     const can::FrameCounters& firmware = firmware_.counters();
     const sim_hw::NodeCounters robot = robot_.counters();
-    std::uint64_t lost = firmware.lost + firmware.refused_by_bus + robot.refused_by_bus;
+    std::uint64_t lost = firmware.lost + firmware.refused_by_bus + robot.lost + robot.refused_by_bus;
     for (const std::uint64_t count : firmware.rejected) lost += count;
     for (const std::uint64_t count : robot.rejected) lost += count;
     return lost;

@@ -56,7 +56,7 @@ struct Verdict {
   std::vector<TimedEvent> events;
   int payloads_attached = 0;
   int payloads_detected = 0;  ///< at most as many as were attached
-  int false_alarms = 0;       ///< detections before the first payload
+  int false_alarms = 0;       ///< detections beyond the payloads that were hung on
 
   std::array<double, kJointsPerLeg> peak_torque_nm{};  ///< larger of both legs
   double torque_ripple_nm = 0.0;                       ///< root mean square of the change from tick to tick, all joints
@@ -72,7 +72,8 @@ struct Verdict {
   double tick_us_p50 = 0.0, tick_us_p999 = 0.0, tick_us_max = 0.0;
   double real_time_factor = 0.0;
   std::uint64_t frames_sent = 0;
-  std::uint64_t frames_lost = 0;  ///< refused, rejected or missing on either side, or not recorded
+  std::uint64_t frames_lost = 0;  ///< refused, rejected or missing on either side, or not recorded; a damaged frame
+                                  ///< counts when it arrives and again as a gap
   std::uint64_t frames_late = 0;
   double bus_load_percent = 0.0;
 };

@@ -109,13 +109,33 @@ void check_learning(const Scenario& scenario, std::vector<Finding>& findings) {
        "learn over a whole cycle: the force of a shorter time misses its maximum"});
 }
 
+void check_foot_offset(const Scenario& scenario, std::vector<Finding>& findings) {
+  const double offset_m = scenario.firmware.reflex.foot_offset_m;
+  const double half_step_m = scenario.firmware.walk.half_step_m;
+  if (offset_m <= half_step_m) return;
+  findings.push_back(
+      {{"reflex.foot_offset_m", "gait.half_step_m"},
+       fmt::format("reflex.foot_offset_m is {}; expected at most gait.half_step_m = {} m", offset_m, half_step_m),
+       "lower reflex.foot_offset_m: one restoring step cannot make up for more"});
+}
+
+void check_ride_through(const Scenario& scenario, std::vector<Finding>& findings) {
+  const double latency_ticks = std::ceil(scenario.sim.command_latency_s / scenario.firmware.period_s - 1e-9);
+  const double least_ticks = latency_ticks + 1.0;
+  if (scenario.firmware.gate.ride_through_ticks >= least_ticks) return;
+  findings.push_back(
+      {{"gate.ride_through_ticks", "bus.command_latency_s"},
+       fmt::format("gate.ride_through_ticks is {}; expected at least {}, the command latency and one tick",
+                   scenario.firmware.gate.ride_through_ticks, least_ticks),
+       "raise gate.ride_through_ticks: until the first torques act, the boards damp"});
+}
+
 void check_watchdog(const Scenario& scenario, std::vector<Finding>& findings) {
-  const double quiet_s = scenario.firmware.period_s + scenario.sim.command_latency_s;
-  if (scenario.sim.watchdog_s > quiet_s) return;
-  findings.push_back({{"bus.watchdog_s", "bus.command_latency_s", "control_period_s"},
-                      fmt::format("bus.watchdog_s is {}; expected more than one control period and the command "
-                                  "latency, {:.4g} s",
-                                  scenario.sim.watchdog_s, quiet_s),
+  const double period_s = scenario.firmware.period_s;
+  if (scenario.sim.watchdog_s > period_s) return;
+  findings.push_back({{"bus.watchdog_s", "control_period_s"},
+                      fmt::format("bus.watchdog_s is {}; expected more than one control period, {:.4g} s",
+                                  scenario.sim.watchdog_s, period_s),
                       "raise bus.watchdog_s, or the leg boards damp between any two torque frames"});
 }
 
@@ -202,6 +222,8 @@ std::vector<Finding> check_relations(const Scenario& scenario) {
   check_soles(scenario, findings);
   check_joint_ranges(scenario, findings);
   check_learning(scenario, findings);
+  check_foot_offset(scenario, findings);
+  check_ride_through(scenario, findings);
   check_watchdog(scenario, findings);
   check_latency(scenario, findings);
   check_shared_numbers(scenario, findings);

@@ -42,7 +42,7 @@ void append_drives(std::vector<Field>& table, sim_hw::DriveConfig& drive) {
                                    &drive.torque_limit_nm,
                                    {0.0, 300.0, true},
                                    "N m",
-                                   "largest torque of a motor; where not given that of the servo"}});
+                                   "largest torque of a motor; where not given that of the gate"}});
 }
 
 void append_contact(std::vector<Field>& table, sim_hw::ContactConfig& contact) {

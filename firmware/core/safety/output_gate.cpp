@@ -48,9 +48,13 @@ bool is_slow_enough(const OutputGateConfig& config, const LegSensors& leg) noexc
   return slow;
 }
 
-bool is_damped(const SensorSnapshot& sensors) noexcept {
-  return std::ranges::any_of(sensors.leg,
-                             [](const LegSensors& leg) { return leg.freshness.is_fresh() && leg.is_damping; });
+/// Ticks for which a board has damped; a tick without its word neither adds nor forgives.
+std::uint32_t count_damping(const SensorSnapshot& sensors, std::uint32_t ticks_so_far) noexcept {
+  const auto& legs = sensors.leg;
+  const auto damps = [](const LegSensors& leg) { return leg.freshness.is_fresh() && leg.is_damping; };
+  if (std::ranges::any_of(legs, damps)) return ticks_so_far + 1;
+  const bool all_spoke = std::ranges::all_of(legs, [](const LegSensors& leg) { return leg.freshness.is_fresh(); });
+  return all_spoke ? 0 : ticks_so_far;
 }
 
 /// The first fault in the order of cause and consequence.
@@ -73,7 +77,7 @@ PerSide<LegCommand> step(const OutputGateConfig& config, OutputGateState& state,
   const auto nodes = freshness_of_nodes(sensors);
   if (std::ranges::all_of(nodes, &Freshness::was_heard)) state.all_nodes_heard = true;
   if (!state.all_nodes_heard) ++state.awaited_ticks;
-  state.damped_ticks = state.all_nodes_heard && is_damped(sensors) ? state.damped_ticks + 1 : 0;
+  if (state.all_nodes_heard) state.damped_ticks = count_damping(sensors, state.damped_ticks);
   if (state.latched == Fault::kNone) state.latched = find_fault(config, state, wanted_nm, sensors);
   if (state.latched != Fault::kNone || !state.all_nodes_heard) {
     state.last_torque_nm = {};

@@ -22,7 +22,7 @@ struct OutputGateState {
   Fault latched = Fault::kNone;
   bool all_nodes_heard = false;     ///< every node has answered at least once since power-up
   std::uint32_t awaited_ticks = 0;  ///< ticks since power-up in which some node had not yet answered at all
-  std::uint32_t damped_ticks = 0;   ///< for so long a leg board has damped although it is told to hold torques
+  std::uint32_t damped_ticks = 0;   ///< for so long a leg board has damped since all nodes are heard
 };
 
 /// What goes to the leg boards. Until a fault latches: the wanted torque, limited in rate and size.

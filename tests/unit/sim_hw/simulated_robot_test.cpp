@@ -173,6 +173,31 @@ TEST(SimulatedRobot, SinksDownWhenNobodyHoldsItAndSaysThatItFell) {
   EXPECT_TRUE(std::isfinite(held.robot.truth().body_position_world_m[2]));
 }
 
+// Played back with a counter that moves on: only the tick gives it away.
+TEST(SimulatedRobot, IsNotSetBackByAnOldSync) {
+  HeldRobot held({});
+  held.stand(0.05);
+  const double time_s = held.robot.truth().time_s;
+  const std::uint32_t tick = held.puppeteer.tick;
+  for (const std::uint32_t age : {0U, 1U, 30U}) {
+    held.puppeteer.wire.to_robot.push_back(can::encode_sync({.tick = tick - age, .counter = 200}));
+    held.robot.serve(held.puppeteer.wire);
+    EXPECT_TRUE(held.puppeteer.wire.from_robot.empty()) << age;
+  }
+  EXPECT_EQ(held.robot.counters().rejected[static_cast<std::size_t>(can::Rejection::kRepeated)], 1U);
+  EXPECT_EQ(held.robot.counters().rejected[static_cast<std::size_t>(can::Rejection::kLate)], 2U);
+  held.stand(0.01);
+  EXPECT_NEAR(held.robot.truth().time_s, time_s + 0.01, 0.0015);
+}
+
+TEST(SimulatedRobot, ServesAControllerThatStartedAnew) {
+  HeldRobot held({});
+  held.stand(0.05);
+  held.puppeteer.wire.to_robot.push_back(can::encode_sync({.tick = 0, .counter = 77}));
+  held.robot.serve(held.puppeteer.wire);
+  EXPECT_FALSE(held.puppeteer.wire.from_robot.empty());
+}
+
 TEST(SimulatedRobot, CountsWhatItRefuses) {
   HeldRobot held({});
   held.stand(0.005);

@@ -148,7 +148,7 @@ TEST_F(JudgeTest, CallsADetectionBeforeTheFirstPayloadAFalseAlarm) {
   for (const RunEvent& alarm : {kDetected, kSeen}) {
     Judge alarmed(scenario_);
     alarmed.observe(output_, truth_, {&alarm, 1});
-    expect_outcome(alarmed.verdict(false), Outcome::kLimit, 2, "before there was a payload");
+    expect_outcome(alarmed.verdict(false), Outcome::kLimit, 2, "without a payload");
     EXPECT_EQ(alarmed.verdict(false).false_alarms, 1);
     EXPECT_EQ(alarmed.verdict(false).payloads_detected, 0);
   }
@@ -194,7 +194,7 @@ TEST_F(JudgeTest, NamesTheWorstOfManyCauses) {
   see(0.0, {kAttached, kDetected});
   EXPECT_THAT(verdict().reason, HasSubstr("only 1 of 2"));
   see(0.125, {kAttached});
-  EXPECT_THAT(verdict().reason, HasSubstr("before there was a payload"));
+  EXPECT_THAT(verdict().reason, HasSubstr("without a payload"));
   lean(0.0, 3.0);
   see(0.25);
   EXPECT_THAT(verdict().reason, HasSubstr("roll"));

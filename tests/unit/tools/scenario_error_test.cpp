@@ -113,11 +113,15 @@ INSTANTIATE_TEST_SUITE_P(
                  "walk.toml:2:14: detector.learning_s is 4.7; expected at least one gait cycle, 4.8 s"},
         BadInput{"[gait]\nsingle_support_s = 2",
                  "walk.toml:2:20: detector.learning_s is 4.8; expected at least one gait cycle, 6 s"},
-        BadInput{"[bus]\nwatchdog_s = 0.002",
-                 "walk.toml:2:14: bus.watchdog_s is 0.002; expected more than one control period and the command "
-                 "latency, 0.002 s"},
-        BadInput{"[bus]\nwatchdog_s = 1\ncommand_latency_s = 0.1",
-                 "walk.toml:3:21: bus.command_latency_s is 0.1; expected less than 0.063 s, 63 control periods"}));
+        BadInput{"[bus]\nwatchdog_s = 0.001",
+                 "walk.toml:2:14: bus.watchdog_s is 0.001; expected more than one control period, 0.001 s"},
+        BadInput{
+            "[bus]\ncommand_latency_s = 0.012",
+            "walk.toml:2:21: gate.ride_through_ticks is 10; expected at least 13, the command latency and one tick"},
+        BadInput{"[reflex]\nfoot_offset_m = 0.09",
+                 "walk.toml:2:17: reflex.foot_offset_m is 0.09; expected at most gait.half_step_m = 0.08 m"},
+        BadInput{"[gate]\nride_through_ticks = 200\n[bus]\nwatchdog_s = 1\ncommand_latency_s = 0.1",
+                 "walk.toml:5:21: bus.command_latency_s is 0.1; expected less than 0.063 s, 63 control periods"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Unknown, RefusedScenario,
