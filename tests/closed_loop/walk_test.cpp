@@ -42,11 +42,11 @@ TEST_P(Walk, GoesOnForTwentyCyclesQuietly) {
 
 INSTANTIATE_TEST_SUITE_P(
     Plants, Walk,
-    ::testing::Values(Variant{"thesis", "no_payload", {}}, Variant{"nominal", "no_payload_nominal", {}},
+    ::testing::Values(Variant{"thesis", "no_payload", {}}, Variant{"nominal", "no_payload_nominal", {}, 0.45, 2.0},
                       Variant{"thesis_half_step", "no_payload", {"physics.step_s=0.00025"}},
-                      Variant{"nominal_half_step", "no_payload_nominal", {"physics.step_s=0.00025"}},
+                      Variant{"nominal_half_step", "no_payload_nominal", {"physics.step_s=0.00025"}, 0.45, 2.0},
                       Variant{"thesis_quarter_step", "no_payload", {"physics.step_s=0.000125"}},
-                      Variant{"nominal_quarter_step", "no_payload_nominal", {"physics.step_s=0.000125"}},
+                      Variant{"nominal_quarter_step", "no_payload_nominal", {"physics.step_s=0.000125"}, 0.45, 2.0},
                       Variant{"thesis_bullet_contact", "no_payload", {"contact.model=bullet"}, 0.9, 22.0},
                       Variant{"nominal_bullet_contact", "no_payload_nominal", {"contact.model=bullet"}, 0.9, 3.0}),
     [](const auto& variant) { return std::string(variant.param.name); });

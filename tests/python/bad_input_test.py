@@ -131,14 +131,6 @@ def test_wrong_usage_is_refused(tmp_path: Path, arguments: list[str], place: str
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.fixture(scope="module")
-def short_run(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("short") / "run"
-    finished = surefoot("run", *SHORT, "--out", folder)
-    assert finished.returncode == 0, finished.stderr
-    return folder
-
-
 def _cut(path: Path, size: int) -> None:
     path.write_bytes(path.read_bytes()[:size])
 

@@ -5,6 +5,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
+from command_line import SHORT, surefoot
 from synthetic_run import write_synthetic_run
 
 # Long enough for every event of the main job: trigger at about 1.26 s, on the way again 4.5 s later.
@@ -36,6 +37,15 @@ def run_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     finished = subprocess.run([binary, "run", scenario, "--out", run], capture_output=True, text=True, check=False)
     assert finished.returncode == 0, finished.stdout + finished.stderr
     return run
+
+
+@pytest.fixture(scope="session")
+def short_run(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A short recorded walk without a payload, to be copied before harm is done to it."""
+    folder = tmp_path_factory.mktemp("short") / "run"
+    finished = surefoot("run", *SHORT, "--out", folder)
+    assert finished.returncode == 0, finished.stderr
+    return folder
 
 
 @pytest.fixture(scope="session")

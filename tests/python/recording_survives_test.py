@@ -23,14 +23,6 @@ def _contents(folder: Path) -> dict[str, str]:
     return {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in folder.iterdir()}
 
 
-@pytest.fixture(scope="module")
-def short_run(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("short") / "run"
-    finished = surefoot("run", *SHORT, "--out", folder)
-    assert finished.returncode == 0, finished.stderr
-    return folder
-
-
 @pytest.fixture
 def earlier_run(tmp_path: Path, short_run: Path) -> Path:
     """A recorded run that a test may do harm to."""

@@ -14,19 +14,14 @@ enum class ReflexMethod : std::uint8_t {
   kModified,  ///< stance foot forward by the state at the trigger, eqs. (4.5)(4.6)
 };
 
-/// How the feet move into the reflex stance and through the x shift.
-using ReflexProfile = gait::MotionProfile;
-
-/// Law for the duration of the restoring step.
-using gait::RestorationTiming;
-
 /// The payload reflex. Source: El-Kahlout 2003, sections 3.3 and 4.3.
 struct ReflexConfig {
   ReflexMethod method = ReflexMethod::kOriginal;
   bool mirrored = true;  ///< apply (3.17) mirrored in the right foot's half of the cycle, so that t and t + T/2 agree;
                          ///< false: literal
-  ReflexProfile profile = ReflexProfile::kRamp;
-  RestorationTiming timing = RestorationTiming::kAcosFactor;
+  /// How the feet move into the reflex stance and through the x shift.
+  gait::MotionProfile profile = gait::MotionProfile::kRamp;
+  gait::RestorationTiming timing = gait::RestorationTiming::kAcosFactor;
   double reflex_s = 0.1;            ///< t_refl, > 0
   double settling_s = 2.0;          ///< t_set, > 0; the modified method uses 4
   double shift_s = 0.5;             ///< t_x, > 0

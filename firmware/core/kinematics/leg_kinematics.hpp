@@ -27,10 +27,10 @@ struct InverseResult {
 /// rotation and the direction from hip to ankle. NaN in, NaN out: the output gate answers to it.
 [[nodiscard]] InverseResult inverse(const geometry::RobotGeometry&, Side, const FootPose&) noexcept;
 
-/// Joint rates that move the foot frame with the given velocity and no rotation against the body,
+/// Joint rates, alike for both legs, that move the foot frame with the given velocity and no rotation against the body,
 /// at the given angles; by the leg's geometric Jacobian. Near a straight knee the rates are
 /// bounded by damping rather than infinite; with sin(knee) above 0.05 they are exact.
-[[nodiscard]] LegVector inverse_rates(const geometry::RobotGeometry&, Side, const LegVector& angle_rad,
+[[nodiscard]] LegVector inverse_rates(const geometry::RobotGeometry&, const LegVector& angle_rad,
                                       const geometry::Vector3& velocity_body_m_s) noexcept;
 
 /// Both legs: angles and rates for a foot reference with soles parallel to the body's floor.

@@ -46,7 +46,7 @@ LegVector rates_without_rotation(const geometry::RobotGeometry& geometry, const 
   return {yaw, thigh_rate.x(), thigh_y - yaw * leg.roll.sin, knee, -(thigh_y + knee), ankle_roll};
 }
 
-LegVector inverse_rates(const geometry::RobotGeometry& geometry, Side /*side*/, const LegVector& angle_rad,
+LegVector inverse_rates(const geometry::RobotGeometry& geometry, const LegVector& angle_rad,
                         const Vector3& velocity_body_m_s) noexcept {
   const double knee_rad = angle_rad[index(LegJoint::kKneePitch)];
   return rates_without_rotation(

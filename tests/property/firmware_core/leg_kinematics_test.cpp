@@ -117,7 +117,7 @@ RC_GTEST_PROP(LegRates, MoveTheFootAsAskedAndDoNotTurnIt, ()) {
                                                 thigh.col(1),     calf.col(1), ankle.col(0)};
   const std::array<Vector3, kJointsPerLeg> origin_m{hip, hip, hip, knee_m, ankle_m, ankle_m};
 
-  const LegVector rate = inverse_rates(geometry, side, q, velocity);
+  const LegVector rate = inverse_rates(geometry, q, velocity);
   Vector3 linear = Vector3::Zero();
   Vector3 angular = Vector3::Zero();
   for (std::size_t joint = 0; joint < kJointsPerLeg; ++joint) {
@@ -170,7 +170,7 @@ RC_GTEST_PROP(BothLegs, GetWhatEachLegAloneWouldGet, ()) {
   for (const Side side : kSides) {
     const FootPath& foot = feet[index(side)];
     const InverseResult alone = inverse(geometry, side, {foot.position_body_m, Matrix3::Identity()});
-    const LegVector rates = inverse_rates(geometry, side, alone.angle_rad, foot.velocity_body_m_s);
+    const LegVector rates = inverse_rates(geometry, alone.angle_rad, foot.velocity_body_m_s);
     for (std::size_t joint = 0; joint < kJointsPerLeg; ++joint) {
       RC_ASSERT(std::abs(both.angle_rad[index(side)][joint] - alone.angle_rad[joint]) < 1e-13);
       RC_ASSERT(std::abs(both.rate_rad_s[index(side)][joint] - rates[joint]) < 1e-10);

@@ -18,8 +18,8 @@ ReflexConfig any_reflex() {
   ReflexConfig reflex;
   reflex.method = *rc::gen::element(ReflexMethod::kOriginal, ReflexMethod::kModified);
   reflex.mirrored = *rc::gen::arbitrary<bool>();
-  reflex.profile = *rc::gen::element(ReflexProfile::kRamp, ReflexProfile::kQuintic);
-  reflex.timing = *rc::gen::element(RestorationTiming::kAcosFactor, RestorationTiming::kNominalCosine);
+  reflex.profile = *rc::gen::element(gait::MotionProfile::kRamp, gait::MotionProfile::kQuintic);
+  reflex.timing = *rc::gen::element(gait::RestorationTiming::kAcosFactor, gait::RestorationTiming::kNominalCosine);
   reflex.reflex_s = *rc::gen::element(0.1, 0.2, 0.0837);
   reflex.settling_s = *rc::gen::element(2.0, 4.0, 0.3331);
   return reflex;
@@ -108,7 +108,7 @@ TEST(ReflexSequenceProperty, VelocitiesJumpOnlyWhereTheRampMust) {
     whole.each([&](const SequenceTick& before, const SequenceTick& now) {
       const std::optional<ReflexEvent> event = now.decision.event;
       if (!event) return;
-      const bool may_jump = whole.run.reflex.profile == ReflexProfile::kRamp &&
+      const bool may_jump = whole.run.reflex.profile == gait::MotionProfile::kRamp &&
                             (event == ReflexEvent::kPayloadDetected || event == ReflexEvent::kReflexDone ||
                              event == ReflexEvent::kSettled || event == ReflexEvent::kShifted);
       if (may_jump) return;

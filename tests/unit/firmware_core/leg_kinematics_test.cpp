@@ -131,7 +131,7 @@ TEST(LegInverseKinematics, StaysFiniteForAbsurdTargets) {
          {Matrix3(Matrix3::Identity()), Matrix3(Matrix3::Zero()), Matrix3(Eigen::AngleAxisd(3.0, Vector3::UnitX()))}) {
       const InverseResult result = inverse(geometry, Side::kRight, {target, rotation});
       EXPECT_TRUE(all_finite(result.angle_rad)) << target.transpose();
-      EXPECT_TRUE(all_finite(inverse_rates(geometry, Side::kRight, result.angle_rad, Vector3(1.0, -1.0, 1.0))));
+      EXPECT_TRUE(all_finite(inverse_rates(geometry, result.angle_rad, Vector3(1.0, -1.0, 1.0))));
     }
     FootReference feet;
     for (FootPath& foot : feet) foot = {target, Vector3::Ones(), Vector3::Zero()};
@@ -193,7 +193,7 @@ TEST(LegRates, StretchTheKneeByTheDerivativeOfTheLawOfCosines) {
   FootPose pose;
   pose.position_body_m = RobotGeometry{}.hip_body_m(Side::kLeft) - Vector3(0.0, 0.0, 0.544);
   const LegVector angle_rad = inverse(RobotGeometry{}, Side::kLeft, pose).angle_rad;
-  const LegVector rate = inverse_rates(RobotGeometry{}, Side::kLeft, angle_rad, {0.0, 0.0, -0.2});
+  const LegVector rate = inverse_rates(RobotGeometry{}, angle_rad, {0.0, 0.0, -0.2});
   const double knee_rad = angle_rad[index(LegJoint::kKneePitch)];
   EXPECT_NEAR(rate[index(LegJoint::kKneePitch)], -0.444 * 0.2 / (0.27 * 0.22 * std::sin(knee_rad)), 1e-12);
   EXPECT_EQ(rate[index(LegJoint::kHipYaw)], 0.0);
@@ -209,8 +209,7 @@ TEST(LegRates, AreBoundedAndContinuousThroughAStraightKnee) {
   for (int step = 0; step <= 20'000; ++step) {
     const double knee_rad = 1e-5 * step;
     const LegVector angle_rad{0.0, 0.0, -0.5 * knee_rad, knee_rad, -0.5 * knee_rad, 0.0};
-    const double rate =
-        inverse_rates(RobotGeometry{}, Side::kRight, angle_rad, -Vector3::UnitZ())[index(LegJoint::kKneePitch)];
+    const double rate = inverse_rates(RobotGeometry{}, angle_rad, -Vector3::UnitZ())[index(LegJoint::kKneePitch)];
     EXPECT_LE(std::abs(rate), bound_rad_s * (1.0 + 1e-12));
     EXPECT_LT(std::abs(rate - previous), 0.05);
     previous = rate;

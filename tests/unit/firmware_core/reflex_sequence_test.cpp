@@ -65,7 +65,7 @@ TEST(StartUp, ReachesTimeZeroWithTheRightFootInFrontAndTheDetectorJustArmed) {
 }
 
 TEST(StartUp, CountsTimeZeroInWholeCyclesForOtherSettings) {
-  const ReflexConfig modified{.timing = RestorationTiming::kNominalCosine, .settling_s = 4.0};
+  const ReflexConfig modified{.timing = gait::RestorationTiming::kNominalCosine, .settling_s = 4.0};
   EXPECT_NEAR(start_up_s({}, modified), 3.0 + 1.2 + 2.0, 1.0e-12);
   EXPECT_NEAR(time_zero_s({}, modified, {.warm_up_s = 2.4, .learning_s = 4.9}), 6.2 + 2.4 + 9.6, 1.0e-9);
   EXPECT_NEAR(time_zero_s({}, modified, {.warm_up_s = 0.0, .learning_s = 1.0}), 6.2 + 2.4, 1.0e-9);

@@ -25,7 +25,7 @@ TEST(ScenarioOverride, BareAndQuotedWordsAreStrings) {
   EXPECT_EQ(main_job_with({"reflex.method=\"off\""}).firmware.reflex.method, decision::ReflexMethod::kOff);
   EXPECT_EQ(main_job_with({"contact.model=bullet"}).sim.contact.model, sim_hw::ContactModel::kBullet);
   EXPECT_EQ(main_job_with({"reflex.timing=nominal_cosine"}).firmware.reflex.timing,
-            decision::RestorationTiming::kNominalCosine);
+            gait::RestorationTiming::kNominalCosine);
 }
 
 TEST(ScenarioOverride, TheLaterOfTwoWins) { EXPECT_EQ(main_job_with({"seed=1", "seed=2"}).sim.seed, 2U); }
