@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "firmware/can/counter_watch.hpp"
 #include "firmware/can/messages.hpp"
 #include "sim_hw/config_check.hpp"
+#include "sim_hw/master_watch.hpp"
 #include "sim_hw/nodes/foot_node.hpp"
 #include "sim_hw/nodes/imu_node.hpp"
 #include "sim_hw/nodes/leg_board.hpp"
@@ -16,7 +16,7 @@ namespace surefoot::sim_hw {
 namespace {
 
 constexpr std::size_t kBatchFrames = 16;
-constexpr std::uint32_t kMaxLostTicks = 1000;  // beyond it the controller started anew
+constexpr std::uint32_t kFreeRunningSlackTicks = 5;  // a SYNC that was late, and one that is early
 
 const SimConfig& checked(const SimConfig& config) {
   check(config);
@@ -26,9 +26,11 @@ const SimConfig& checked(const SimConfig& config) {
 }  // namespace
 
 struct SimulatedRobot::Parts {
-  Parts(const SimConfig& wanted, const PerSide<LegVector>& initial_angle_rad)
+  Parts(const SimConfig& wanted, const PerSide<LegVector>& initial_angle_rad, WorldClock wanted_clock)
       : config(checked(wanted)),
+        clock(wanted_clock),
         steps_per_period(static_cast<int>(std::lround(config.control_period_s / config.physics_step_s))),
+        watchdog_steps(std::llround(config.watchdog_s / config.physics_step_s)),
         world(config, initial_angle_rad),
         recorder(world, -config.time_zero_s),
         leg{LegBoard(Side::kRight, config), LegBoard(Side::kLeft, config)},
@@ -43,7 +45,7 @@ struct SimulatedRobot::Parts {
     if (frame.identifier == can::kSyncIdentifier) {
       verdict = take_sync(frame);
     } else if (frame.identifier == can::heartbeat_identifier(can::Node::kController)) {
-      verdict = can::Rejection::kNone;  // nodes run without; listening costs nothing
+      verdict = master.on_heartbeat(frame);
     } else {
       for (const Side side : kSides) {
         if (frame.identifier == can::command_identifier(can::leg_node(side))) verdict = take_command(side, frame);
@@ -59,63 +61,83 @@ struct SimulatedRobot::Parts {
   can::Rejection take_sync(const can::CanFrame& frame) noexcept {
     can::FrameStamp stamp;
     if (const auto rejection = can::decode_sync(frame, stamp); rejection != can::Rejection::kNone) return rejection;
-    if (was_synchronised && stamp.tick == tick) return can::Rejection::kRepeated;
-    if (is_past(stamp.tick)) return can::Rejection::kLate;
-    if (const auto rejection = sync_watch.step(stamp.counter); rejection != can::Rejection::kNone) return rejection;
-    catch_up(stamp.tick);
-    tick = stamp.tick;
-    was_synchronised = true;
+    const bool is_first = !master.is_present();
+    const std::uint32_t last_tick = master.tick();
+    if (const auto rejection = master.on_sync(stamp, max_gap_ticks()); rejection != can::Rejection::kNone) {
+      return rejection;
+    }
+    if (is_first) {
+      clock_origin_step = step;
+    } else if (clock == WorldClock::kLockstep) {
+      catch_up(stamp.tick - last_tick);
+    }
     is_period_open = true;
+    silent_steps = 0;
 
     const RobotModel& robot = world.robot();
     const PerSide<LegVector> angle_rad = robot.angles_rad();
     const PerSide<LegVector> rate_rad_s = robot.rates_rad_s();
     for (const Side side : kSides) {
-      leg[index(side)].on_sync(tick, angle_rad[index(side)], rate_rad_s[index(side)], outbox);
-      foot[index(side)].on_sync(tick, recorder.truth().corner_force_n[index(side)], outbox);
+      leg[index(side)].on_sync(stamp.tick, angle_rad[index(side)], rate_rad_s[index(side)], outbox);
+      foot[index(side)].on_sync(stamp.tick, recorder.truth().corner_force_n[index(side)], outbox);
     }
-    imu.on_sync(tick, recorder.torso(), outbox);
+    imu.on_sync(stamp.tick, recorder.torso(), outbox);
     return can::Rejection::kNone;
   }
 
-  /// An old SYNC played back. Tick 0, and a tick from further back, is a controller that started anew.
-  [[nodiscard]] bool is_past(std::uint32_t next_tick) const noexcept {
-    return was_synchronised && next_tick != 0 && tick - next_tick <= kMaxLostTicks;
-  }
-
   can::Rejection take_command(Side side, const can::CanFrame& frame) noexcept {
+    if (!master.may_command()) return can::Rejection::kUnknownIdentifier;
     const can::Rejection verdict = leg[index(side)].on_command(frame, outbox);
-    if (is_period_open && leg[0].has_command() && leg[1].has_command()) advance_period();
+    const bool is_complete = is_period_open && leg[0].has_command() && leg[1].has_command();
+    if (clock == WorldClock::kLockstep && is_complete) advance_period();
     return verdict;
   }
 
+  /// How far the master may be ahead of its last SYNC. A world of its own clock knows how long ago that was.
+  [[nodiscard]] std::uint32_t max_gap_ticks() const noexcept {
+    if (clock == WorldClock::kLockstep) return MasterWatch::kMaxLostTicks;
+    return static_cast<std::uint32_t>(silent_steps / steps_per_period) + kFreeRunningSlackTicks;
+  }
+
+  void release_master() noexcept {
+    master.release();
+    is_period_open = false;
+    for (LegBoard& board : leg) board.release_master();
+  }
+
   /// Periods that the controller has counted and the world has not.
-  void catch_up(std::uint32_t next_tick) noexcept {
-    if (!was_synchronised) return;
-    const std::uint32_t elapsed = next_tick - tick;
-    if (elapsed == 0 || elapsed > kMaxLostTicks) return;
-    for (std::uint32_t lost = is_period_open ? elapsed : elapsed - 1; lost > 0; --lost) advance_period();
+  void catch_up(std::uint32_t elapsed_ticks) noexcept {
+    for (std::uint32_t lost = is_period_open ? elapsed_ticks : elapsed_ticks - 1; lost > 0; --lost) advance_period();
   }
 
   void advance_period() noexcept {
     is_period_open = false;
+    do {
+      advance_step();
+    } while (steps_in_period != 0);
+  }
+
+  void advance_step() noexcept {
+    if (master.is_present()) hang_due_payloads();
+    const PerSide<LegVector> rate_rad_s = world.robot().rates_rad_s();
     PerSide<LegVector> torque_nm{};
-    for (int i = 0; i < steps_per_period; ++i) {
-      hang_due_payloads();
-      const PerSide<LegVector> rate_rad_s = world.robot().rates_rad_s();
-      for (const Side side : kSides) {
-        torque_nm[index(side)] = leg[index(side)].begin_step(rate_rad_s[index(side)], outbox);
-      }
-      world.advance(torque_nm, config.physics_step_s);
-      recorder.add_step(world.loads());
-      ++step;
+    for (const Side side : kSides) {
+      torque_nm[index(side)] = leg[index(side)].begin_step(rate_rad_s[index(side)], outbox);
     }
-    recorder.close_period(world, torque_nm, time_s(), steps_per_period, config.control_period_s);
+    world.advance(torque_nm, config.physics_step_s);
+    recorder.add_step(world.loads());
+    ++step;
+    ++silent_steps;
+    if (++steps_in_period == steps_per_period) {
+      steps_in_period = 0;
+      recorder.close_period(world, torque_nm, time_s(), steps_per_period, config.control_period_s);
+    }
+    if (clock == WorldClock::kFreeRunning && master.is_present() && silent_steps > watchdog_steps) release_master();
   }
 
   /// Scenario time at the begin of the next step; counted, so that no error adds up.
   [[nodiscard]] double time_s() const noexcept {
-    return static_cast<double>(step) * config.physics_step_s - config.time_zero_s;
+    return static_cast<double>(step - clock_origin_step) * config.physics_step_s - config.time_zero_s;
   }
 
   void hang_due_payloads() noexcept {
@@ -127,24 +149,27 @@ struct SimulatedRobot::Parts {
   }
 
   SimConfig config;
+  WorldClock clock;
   int steps_per_period;
+  std::int64_t watchdog_steps;
   World world;
   TruthRecorder recorder;
   PerSide<LegBoard> leg;
   PerSide<FootNode> foot;
   ImuNode imu;
-  can::CounterWatch sync_watch;
+  MasterWatch master;
   FrameOutbox outbox;
   NodeCounters counters;
   std::size_t next_payload = 0;
-  std::uint64_t step = 0;
-  std::uint32_t tick = 0;
-  bool was_synchronised = false;
+  std::int64_t step = 0;               ///< since the start
+  std::int64_t clock_origin_step = 0;  ///< step of the master's first SYNC
+  std::int64_t silent_steps = 0;       ///< since the last SYNC
+  int steps_in_period = 0;
   bool is_period_open = false;  ///< SYNC came, the period of its tick has not been simulated yet
 };
 
-SimulatedRobot::SimulatedRobot(const SimConfig& config, const PerSide<LegVector>& initial_angle_rad)
-    : parts_(std::make_unique<Parts>(config, initial_angle_rad)) {}
+SimulatedRobot::SimulatedRobot(const SimConfig& config, const PerSide<LegVector>& initial_angle_rad, WorldClock clock)
+    : parts_(std::make_unique<Parts>(config, initial_angle_rad, clock)) {}
 
 SimulatedRobot::~SimulatedRobot() = default;
 
@@ -158,13 +183,40 @@ void SimulatedRobot::serve(can::CanBus& bus) noexcept {
   }
 }
 
+void SimulatedRobot::advance_to(double world_time_s, can::CanBus& bus) noexcept {
+  const auto target = static_cast<std::int64_t>(world_time_s / parts_->config.physics_step_s);
+  while (parts_->step < target) {
+    parts_->advance_step();
+    parts_->outbox.flush(bus);
+  }
+}
+
+void SimulatedRobot::announce(can::CanBus& bus) noexcept {
+  for (const Side side : kSides) {
+    parts_->leg[index(side)].announce(parts_->outbox);
+    parts_->foot[index(side)].announce(parts_->outbox);
+  }
+  parts_->imu.announce(parts_->outbox);
+  parts_->outbox.flush(bus);
+}
+
+void SimulatedRobot::release_master() noexcept { parts_->release_master(); }
+
+bool SimulatedRobot::has_master() const noexcept { return parts_->master.is_present(); }
+
+std::uint32_t SimulatedRobot::tick() const noexcept { return parts_->master.tick(); }
+
+std::int64_t SimulatedRobot::periods() const noexcept {
+  return (parts_->step - parts_->clock_origin_step) / parts_->steps_per_period;
+}
+
 const GroundTruth& SimulatedRobot::truth() const noexcept { return parts_->recorder.truth(); }
 
 NodeCounters SimulatedRobot::counters() const noexcept {
   NodeCounters counters = parts_->counters;
   counters.sent = parts_->outbox.sent();
   counters.refused_by_bus = parts_->outbox.dropped();
-  counters.lost = parts_->sync_watch.lost() + parts_->leg[0].lost() + parts_->leg[1].lost();
+  counters.lost = parts_->master.lost() + parts_->leg[0].lost() + parts_->leg[1].lost();
   return counters;
 }
 

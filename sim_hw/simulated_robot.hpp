@@ -19,23 +19,50 @@ struct NodeCounters {
   std::uint64_t lost = 0;                   ///< gaps in the rolling counters of SYNC and torque frames
 };
 
+/// What moves the simulated world on.
+enum class WorldClock : std::uint8_t {
+  kLockstep,     ///< the master: one control period for each of its ticks, at any speed
+  kFreeRunning,  ///< `advance_to`: the world goes on beside the master, whether that sends or not
+};
+
 /// The simulated robot as the firmware meets it: five nodes on a CAN bus.
 /// Fresh world for each object, no global state; many may live in one process, on many threads.
 class SimulatedRobot {
  public:
   /// @param initial_angle_rad  joint angles at the start; the soles stand on the floor
   /// @throws std::invalid_argument with the remedy when the configuration is impossible
-  SimulatedRobot(const SimConfig& config, const PerSide<LegVector>& initial_angle_rad);
+  SimulatedRobot(const SimConfig& config, const PerSide<LegVector>& initial_angle_rad,
+                 WorldClock clock = WorldClock::kLockstep);
   ~SimulatedRobot();
   SimulatedRobot(const SimulatedRobot&) = delete;
   SimulatedRobot& operator=(const SimulatedRobot&) = delete;
 
   /// Serves the bus once: takes all waiting frames; answers SYNC with the latched state of each
-  /// node; takes torques; advances the world by one control period when both torque frames of the
-  /// tick have arrived. A tick whose torque frames or SYNC were lost is made up for at the next
-  /// SYNC, so that the world keeps the controller's count. Does not allocate (with the contact
-  /// model `kSpringDamper`).
+  /// node; takes torques. Does not allocate (with the contact model `kSpringDamper`).
+  ///
+  /// In lockstep it advances the world by one control period when both torque frames of the tick have
+  /// arrived. A tick whose torque frames or SYNC were lost is made up for at the next SYNC, so that the
+  /// world keeps the controller's count.
   void serve(can::CanBus& bus) noexcept;
+
+  /// Free running: simulates until `world_time_s` after the start, in whole physics steps. The scenario's
+  /// clock starts with the master's first tick; a master silent for the boards' watchdog time is released.
+  void advance_to(double world_time_s, can::CanBus& bus) noexcept;
+
+  /// While no master runs: every node sends a heartbeat. To be called ten times a second, by a real clock.
+  void announce(can::CanBus& bus) noexcept;
+
+  /// Lockstep: the master has fallen silent. The next one may begin at any tick; until then nothing moves.
+  void release_master() noexcept;
+
+  /// Whether somebody drives this robot.
+  [[nodiscard]] bool has_master() const noexcept;
+
+  /// Tick of the last SYNC.
+  [[nodiscard]] std::uint32_t tick() const noexcept;
+
+  /// Control periods simulated since the scenario's clock began; `truth` is of the end of the last one.
+  [[nodiscard]] std::int64_t periods() const noexcept;
 
   /// State at the end of the last period.
   [[nodiscard]] const GroundTruth& truth() const noexcept;

@@ -14,6 +14,9 @@ class CounterWatch {
   /// @return kNone when the counter moved on (gaps are counted as lost frames), kRepeated when it did not
   [[nodiscard]] Rejection step(std::uint8_t counter) noexcept;
 
+  /// The sender started anew: its next counter is taken as it comes.
+  void restart() noexcept { was_heard_ = false; }
+
   /// Frames missing among those shown, by the gaps in the counter; an outage of more than 255 frames
   /// counts modulo 256.
   [[nodiscard]] std::uint32_t lost() const noexcept { return lost_; }

@@ -20,6 +20,9 @@ class FootNode {
   void on_sync(std::uint32_t tick, const std::array<double, geometry::kCornersPerFoot>& corner_force_n,
                FrameOutbox&) noexcept;
 
+  /// While no master runs.
+  void announce(FrameOutbox& outbox) noexcept { heartbeat_.announce(outbox); }
+
  private:
   Side side_;
   SensorConfig sensor_;

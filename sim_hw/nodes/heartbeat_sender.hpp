@@ -7,7 +7,8 @@
 
 namespace surefoot::sim_hw {
 
-/// Sends a node's heartbeat every 100 ticks, each node in a tick of its own.
+/// Sends a node's heartbeat: every 100 ticks while it is synchronised, each node in a tick of its own; by
+/// `announce` while it is not.
 class HeartbeatSender {
  public:
   static constexpr std::uint32_t kPeriodTicks = 100;
@@ -16,12 +17,22 @@ class HeartbeatSender {
 
   void on_sync(std::uint32_t tick, FrameOutbox& outbox) noexcept {
     if (tick % kPeriodTicks != static_cast<std::uint32_t>(node_)) return;
-    const can::FrameStamp stamp{.tick = tick, .counter = counter_++};
-    outbox.add(can::encode_heartbeat(node_, stamp, {.state = can::NodeState::kOperational}));
+    add(tick, can::NodeState::kOperational, outbox);
+  }
+
+  /// A node without a master: boot-up once after power-up, then pre-operational.
+  void announce(FrameOutbox& outbox) noexcept {
+    add(0, has_booted_ ? can::NodeState::kPreOperational : can::NodeState::kBootUp, outbox);
+    has_booted_ = true;
   }
 
  private:
+  void add(std::uint32_t tick, can::NodeState state, FrameOutbox& outbox) noexcept {
+    outbox.add(can::encode_heartbeat(node_, {.tick = tick, .counter = counter_++}, {.state = state}));
+  }
+
   can::Node node_;
+  bool has_booted_ = false;
   std::uint8_t counter_ = 0;
 };
 

@@ -24,6 +24,9 @@ class ImuNode {
   /// Answers SYNC.
   void on_sync(std::uint32_t tick, const TorsoMotion&, FrameOutbox&) noexcept;
 
+  /// While no master runs.
+  void announce(FrameOutbox& outbox) noexcept { heartbeat_.announce(outbox); }
+
  private:
   SensorConfig sensor_;
   NoiseSource noise_;

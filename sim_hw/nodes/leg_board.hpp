@@ -46,6 +46,15 @@ class LegBoard {
   /// Motor torques of the last step, within the motors' limit.
   [[nodiscard]] const LegVector& torque_nm() const noexcept { return torque_nm_; }
 
+  /// While no master runs.
+  void announce(FrameOutbox& outbox) noexcept { heartbeat_.announce(outbox); }
+
+  /// The master is gone: no torque counts until the next SYNC.
+  void release_master() noexcept {
+    was_synchronised_ = false;
+    command_watch_.restart();
+  }
+
  private:
   void send_emergency(std::uint16_t code, FrameOutbox&) noexcept;
   void apply(const LegVector& wanted_nm) noexcept;

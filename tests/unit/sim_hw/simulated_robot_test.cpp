@@ -190,12 +190,84 @@ TEST(SimulatedRobot, IsNotSetBackByAnOldSync) {
   EXPECT_NEAR(held.robot.truth().time_s, time_s + 0.01, 0.0015);
 }
 
-TEST(SimulatedRobot, ServesAControllerThatStartedAnew) {
+TEST(SimulatedRobot, ServesAControllerThatStartedAnewOnceTheOldOneIsGone) {
   HeldRobot held({});
   held.stand(0.05);
-  held.puppeteer.wire.to_robot.push_back(can::encode_sync({.tick = 0, .counter = 77}));
+  const can::CanFrame anew = can::encode_sync({.tick = 0, .counter = 77});
+  held.puppeteer.wire.to_robot.push_back(anew);
+  held.robot.serve(held.puppeteer.wire);
+  EXPECT_TRUE(held.puppeteer.wire.from_robot.empty()) << "a second master at tick 0, while the first one runs";
+  held.robot.release_master();
+  EXPECT_FALSE(held.robot.has_master());
+  held.puppeteer.wire.to_robot.push_back(anew);
   held.robot.serve(held.puppeteer.wire);
   EXPECT_FALSE(held.puppeteer.wire.from_robot.empty());
+  EXPECT_TRUE(held.robot.has_master());
+}
+
+TEST(SimulatedRobot, TakesNoTorqueFromAMasterThatIsNotOperational) {
+  HeldRobot held({});
+  held.stand(0.01);
+  const double time_s = held.robot.truth().time_s;
+  held.puppeteer.sync();
+  held.puppeteer.wire.to_robot.push_back(held.puppeteer.heartbeat_frame(can::NodeState::kStopped));
+  held.puppeteer.command(held.wanted());
+  EXPECT_EQ(held.robot.truth().time_s, time_s) << "the torques did not count";
+}
+
+TEST(SimulatedRobot, TakesNoHeartbeatOfAnotherTickWhileItsMasterRuns) {
+  HeldRobot held({});
+  held.stand(0.01);
+  held.puppeteer.sync();
+  held.puppeteer.wire.to_robot.push_back(
+      can::encode_heartbeat(can::Node::kController, {.tick = 3, .counter = 9}, {.state = can::NodeState::kStopped}));
+  const double time_s = held.robot.truth().time_s;
+  held.puppeteer.command(held.wanted());
+  EXPECT_GT(held.robot.truth().time_s, time_s);
+}
+
+TEST(SimulatedRobot, AnnouncesItsNodesWhileNoMasterRuns) {
+  HeldRobot held({});
+  for (const can::NodeState state : {can::NodeState::kBootUp, can::NodeState::kPreOperational}) {
+    held.robot.announce(held.puppeteer.wire);
+    ASSERT_EQ(held.puppeteer.wire.from_robot.size(), 5U);
+    for (const can::CanFrame& frame : held.puppeteer.wire.from_robot) {
+      can::FrameStamp stamp;
+      can::Heartbeat heartbeat;
+      ASSERT_EQ(can::decode_heartbeat(frame, stamp, heartbeat), can::Rejection::kNone);
+      EXPECT_EQ(heartbeat.state, state);
+    }
+    held.puppeteer.wire.from_robot.clear();
+  }
+}
+
+TEST(SimulatedRobot, RunsFreelyBesideItsMaster) {
+  const SimConfig config;
+  SimulatedRobot robot(config, stance(config.geometry), WorldClock::kFreeRunning);
+  Puppeteer puppeteer(robot);
+  robot.advance_to(0.0101, puppeteer.wire);  // nobody drives: damped
+  puppeteer.sync();
+  puppeteer.command({});
+  EXPECT_EQ(robot.periods(), 0) << "torques alone move nothing on";
+  robot.advance_to(0.0151, puppeteer.wire);
+  EXPECT_EQ(robot.periods(), 5) << "counted from the master's first SYNC";
+  EXPECT_TRUE(robot.has_master());
+  robot.advance_to(0.04, puppeteer.wire);
+  EXPECT_FALSE(robot.has_master()) << "silent for longer than the watchdog";
+}
+
+TEST(SimulatedRobot, FreeRunningTakesNoSyncThatIsAheadOfItsClock) {
+  const SimConfig config;
+  SimulatedRobot robot(config, stance(config.geometry), WorldClock::kFreeRunning);
+  Puppeteer puppeteer(robot);
+  puppeteer.sync();
+  robot.advance_to(0.001, puppeteer.wire);
+  puppeteer.wire.from_robot.clear();
+  puppeteer.wire.to_robot.push_back(can::encode_sync({.tick = puppeteer.tick + 100, .counter = 1}));
+  robot.serve(puppeteer.wire);
+  EXPECT_TRUE(puppeteer.wire.from_robot.empty());
+  puppeteer.sync();
+  EXPECT_EQ(robot.tick(), puppeteer.tick);
 }
 
 TEST(SimulatedRobot, CountsWhatItRefuses) {

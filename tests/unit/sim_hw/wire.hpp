@@ -43,8 +43,15 @@ class Puppeteer {
     ++tick;
     wire.from_robot.clear();
     wire.to_robot.push_back(can::encode_sync({.tick = tick, .counter = sync_counter_++}));
+    if (!was_announced_) wire.to_robot.push_back(heartbeat_frame(can::NodeState::kOperational));
+    was_announced_ = true;
     robot_.serve(wire);
     read_answers();
+  }
+
+  [[nodiscard]] can::CanFrame heartbeat_frame(can::NodeState state) {
+    return can::encode_heartbeat(can::Node::kController, {.tick = tick, .counter = heartbeat_counter_++},
+                                 {.state = state});
   }
 
   [[nodiscard]] can::CanFrame command_frame(Side side, const LegCommand& command) {
@@ -89,7 +96,9 @@ class Puppeteer {
 
  private:
   SimulatedRobot& robot_;
+  bool was_announced_ = false;
   std::uint8_t sync_counter_ = 0;
+  std::uint8_t heartbeat_counter_ = 0;
   PerSide<std::uint8_t> command_counter_{};
 };
 
