@@ -17,13 +17,23 @@ struct RunEvent {
   double value = 0.0;
 };
 
-/// Turns what changes from tick to tick into events, for telemetry and verdict alike.
+/// Turns what changes from tick to tick into events, for telemetry and verdict alike. Firmware and robot may
+/// live in two processes: each then watches its own half.
 class EventWatch {
  public:
+  /// Both halves, the world's first.
   /// @return the events of this tick, valid until the next call; mostly none
   [[nodiscard]] std::span<const RunEvent> observe(const TickOutput& output, const sim_hw::GroundTruth& truth) noexcept;
 
+  /// What happened in the world.
+  [[nodiscard]] std::span<const RunEvent> observe_world(const sim_hw::GroundTruth& truth) noexcept;
+
+  /// What the firmware did.
+  [[nodiscard]] std::span<const RunEvent> observe_firmware(const TickOutput& output) noexcept;
+
  private:
+  void watch(const sim_hw::GroundTruth& truth) noexcept;
+  void watch(const TickOutput& output) noexcept;
   void add(std::int8_t code, const char* name, double value) noexcept { events_[count_++] = {code, name, value}; }
 
   std::array<RunEvent, 6> events_{};  ///< at most one of each kind in a tick

@@ -118,7 +118,7 @@ TEST_F(EventWatchTest, TellsAllThatHappensInOneTickInOrder) {
   output.decision.is_payload_seen = true;
   output.joint_reference.is_reachable = false;
   output.fault = safety::Fault::kJointOutOfRange;
-  EXPECT_THAT(names(), ElementsAre("payload_attached", "payload_detected", "reach_lost", "fell", "joint_out_of_range"));
+  EXPECT_THAT(names(), ElementsAre("payload_attached", "fell", "payload_detected", "reach_lost", "joint_out_of_range"));
 }
 
 }  // namespace
