@@ -68,6 +68,7 @@ struct SimulatedRobot::Parts {
     }
     if (is_first) {
       clock_origin_step = step;
+      tick_of_period = stamp.tick;
     } else if (clock == WorldClock::kLockstep) {
       catch_up(stamp.tick - last_tick);
     }
@@ -130,6 +131,8 @@ struct SimulatedRobot::Parts {
     ++silent_steps;
     if (++steps_in_period == steps_per_period) {
       steps_in_period = 0;
+      ++periods;
+      truth_tick = tick_of_period++;
       recorder.close_period(world, torque_nm, time_s(), steps_per_period, config.control_period_s);
     }
     if (clock == WorldClock::kFreeRunning && master.is_present() && silent_steps > watchdog_steps) release_master();
@@ -165,6 +168,9 @@ struct SimulatedRobot::Parts {
   std::int64_t clock_origin_step = 0;  ///< step of the master's first SYNC
   std::int64_t silent_steps = 0;       ///< since the last SYNC
   int steps_in_period = 0;
+  std::int64_t periods = 0;          ///< closed since the start
+  std::uint32_t tick_of_period = 0;  ///< master's tick of the period that runs or comes next
+  std::uint32_t truth_tick = 0;      ///< of the last closed one
   bool is_period_open = false;  ///< SYNC came, the period of its tick has not been simulated yet
 };
 
@@ -206,9 +212,9 @@ bool SimulatedRobot::has_master() const noexcept { return parts_->master.is_pres
 
 std::uint32_t SimulatedRobot::tick() const noexcept { return parts_->master.tick(); }
 
-std::int64_t SimulatedRobot::periods() const noexcept {
-  return (parts_->step - parts_->clock_origin_step) / parts_->steps_per_period;
-}
+std::int64_t SimulatedRobot::periods() const noexcept { return parts_->periods; }
+
+std::uint32_t SimulatedRobot::truth_tick() const noexcept { return parts_->truth_tick; }
 
 const GroundTruth& SimulatedRobot::truth() const noexcept { return parts_->recorder.truth(); }
 

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "firmware/can/can_bus.hpp"
+#include "firmware/can/messages.hpp"
 #include "sim_hw/ground_truth.hpp"
 #include "sim_hw/plant_config.hpp"
 
@@ -15,7 +16,7 @@ struct NodeCounters {
   std::uint64_t sent = 0;
   std::uint64_t refused_by_bus = 0;         ///< the bus did not take them
   std::uint64_t received = 0;               ///< accepted
-  std::array<std::uint64_t, 7> rejected{};  ///< by `can::Rejection`
+  std::array<std::uint64_t, can::kRejectionCauses> rejected{};  ///< by `can::Rejection`
   std::uint64_t lost = 0;                   ///< gaps in the rolling counters of SYNC and torque frames
 };
 
@@ -61,8 +62,11 @@ class SimulatedRobot {
   /// Tick of the last SYNC.
   [[nodiscard]] std::uint32_t tick() const noexcept;
 
-  /// Control periods simulated since the scenario's clock began; `truth` is of the end of the last one.
+  /// Control periods simulated since the start; `truth` is of the end of the last one.
   [[nodiscard]] std::int64_t periods() const noexcept;
+
+  /// The master's tick in which that period began; lockstep and free running alike.
+  [[nodiscard]] std::uint32_t truth_tick() const noexcept;
 
   /// State at the end of the last period.
   [[nodiscard]] const GroundTruth& truth() const noexcept;

@@ -246,11 +246,14 @@ TEST(SimulatedRobot, RunsFreelyBesideItsMaster) {
   SimulatedRobot robot(config, stance(config.geometry), WorldClock::kFreeRunning);
   Puppeteer puppeteer(robot);
   robot.advance_to(0.0101, puppeteer.wire);  // nobody drives: damped
+  EXPECT_EQ(robot.periods(), 10);
+  puppeteer.tick = 99;
   puppeteer.sync();
   puppeteer.command({});
-  EXPECT_EQ(robot.periods(), 0) << "torques alone move nothing on";
+  EXPECT_EQ(robot.periods(), 10) << "torques alone move nothing on";
   robot.advance_to(0.0151, puppeteer.wire);
-  EXPECT_EQ(robot.periods(), 5) << "counted from the master's first SYNC";
+  EXPECT_EQ(robot.periods(), 15);
+  EXPECT_EQ(robot.truth_tick(), 104U) << "ticks 100 to 104 have been simulated";
   EXPECT_TRUE(robot.has_master());
   robot.advance_to(0.04, puppeteer.wire);
   EXPECT_FALSE(robot.has_master()) << "silent for longer than the watchdog";
