@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "sim_hw/bus/traffic.hpp"
+#include "sim_hw/faults/fault_check.hpp"
 #include "sim_hw/nodes/command_queue.hpp"
 
 namespace surefoot::sim_hw {
@@ -88,6 +90,26 @@ void check_drives_and_sensors(const DriveConfig& drive, const SensorConfig& sens
   require_not_negative("sensor.accelerometer_noise_m_s2", sensor.accelerometer_noise_m_s2);
 }
 
+void check_bus(const BusConfig& bus) {
+  require(bus.count == 1 || bus.count == kMaxBuses, "bus.count", bus.count, "1 or 2", "use 1, or 2 for one bus a leg");
+  require_positive("bus.nominal_bit_rate_hz", bus.nominal_bit_rate_hz);
+  require_positive("bus.data_bit_rate_hz", bus.data_bit_rate_hz);
+  require_not_negative("bus.node_latency_s", bus.node_latency_s);
+  require_not_negative("bus.node_jitter_s", bus.node_jitter_s);
+  require_not_negative("bus.compute_s", bus.compute_s);
+}
+
+void check_faults(const std::vector<FaultConfig>& faults) {
+  require(faults.size() <= kMaxFaults, "fault count", static_cast<double>(faults.size()), "at most 16",
+          "remove some of the faults");
+  for (std::size_t i = 0; i < faults.size(); ++i) {
+    if (const auto problem = find_problem(faults[i])) {
+      throw std::invalid_argument(
+          fmt::format("fault[{}].{} {}\n  remedy: {}", i, problem->field, problem->statement, problem->remedy));
+    }
+  }
+}
+
 }  // namespace
 
 void check(const SimConfig& config) {
@@ -96,6 +118,8 @@ void check(const SimConfig& config) {
   check_masses(config.mass);
   check_drives_and_sensors(config.drive, config.sensor);
   check_contact(config.contact);
+  check_faults(config.faults);
+  check_bus(config.bus);
   for (const PayloadConfig& payload : config.payloads) {
     require_not_negative("payload.mass_kg", payload.mass_kg);
     require_not_negative("payload.edge_m", payload.edge_m);

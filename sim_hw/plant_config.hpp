@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "firmware/core/geometry/robot_geometry.hpp"
+#include "sim_hw/faults/fault_config.hpp"
 
 namespace surefoot::sim_hw {
 
@@ -71,6 +72,16 @@ struct PayloadConfig {
   PayloadInertia inertia = PayloadInertia::kThesis;
 };
 
+/// The CAN bus, or the two of them. Bit rates last a whole number of nanoseconds a bit.
+struct BusConfig {
+  double nominal_bit_rate_hz = 1.0e6;
+  double data_bit_rate_hz = 5.0e6;
+  std::uint32_t count = 1;      ///< 1, or 2: one for each leg, the torso IMU on the right leg's
+  double node_latency_s = 0.0;  ///< from the end of SYNC to the answer of a node being ready
+  double node_jitter_s = 0.0;   ///< up to so much more, drawn anew for each answer
+  double compute_s = 2.0e-5;    ///< from the end of the last state frame to the torques being ready
+};
+
 /// The robot that is not there: everything the simulator knows and the firmware does not.
 struct SimConfig {
   geometry::RobotGeometry geometry{};
@@ -79,6 +90,8 @@ struct SimConfig {
   ContactConfig contact{};
   SensorConfig sensor{};
   std::vector<PayloadConfig> payloads{};
+  std::vector<FaultConfig> faults{};  ///< at most `kMaxFaults`
+  BusConfig bus{};
   double control_period_s = 1.0e-3;   ///< world time between two SYNC frames in lockstep
   double physics_step_s = 5.0e-4;     ///< divides the control period
   double command_latency_s = 1.0e-3;  ///< from the tick's start to its torques at the motors: bus and computing

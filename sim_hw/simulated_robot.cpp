@@ -2,21 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <utility>
 
 #include "firmware/can/messages.hpp"
 #include "sim_hw/config_check.hpp"
+#include "sim_hw/faults/fault_schedule.hpp"
 #include "sim_hw/master_watch.hpp"
-#include "sim_hw/nodes/foot_node.hpp"
-#include "sim_hw/nodes/imu_node.hpp"
-#include "sim_hw/nodes/leg_board.hpp"
+#include "sim_hw/nodes/robot_nodes.hpp"
 #include "sim_hw/truth_recorder.hpp"
+#include "sim_hw/wire_clock.hpp"
 #include "sim_hw/world/world.hpp"
 
 namespace surefoot::sim_hw {
 namespace {
 
 constexpr std::size_t kBatchFrames = 16;
-constexpr std::uint32_t kFreeRunningSlackTicks = 5;  // a SYNC that was late, and one that is early
+constexpr std::int64_t kFreeRunningSlackTicks = 5;  // a SYNC that was late, and one that is early
 
 const SimConfig& checked(const SimConfig& config) {
   check(config);
@@ -33,12 +35,75 @@ struct SimulatedRobot::Parts {
         watchdog_steps(std::llround(config.watchdog_s / config.physics_step_s)),
         world(config, initial_angle_rad),
         recorder(world, -config.time_zero_s),
-        leg{LegBoard(Side::kRight, config), LegBoard(Side::kLeft, config)},
-        foot{FootNode(Side::kRight, config.sensor, config.seed), FootNode(Side::kLeft, config.sensor, config.seed)},
-        imu(config.sensor, config.seed) {
+        nodes(config),
+        schedule(config.faults, config.control_period_s) {
+    if (!schedule.is_empty()) line = make_line();
     std::stable_sort(config.payloads.begin(), config.payloads.end(),
                      [](const PayloadConfig& a, const PayloadConfig& b) { return a.at_s < b.at_s; });
   }
+
+  [[nodiscard]] std::unique_ptr<BusLine> make_line() {
+    auto made = std::make_unique<BusLine>(schedule, config.seed, answers);
+    const bool is_crowded =
+        std::ranges::any_of(config.faults, [](const FaultConfig& fault) { return fault.kind == FaultKind::kBabble; });
+    if (is_crowded && clock == WorldClock::kLockstep) made->contend(config.bus, config.control_period_s, config.seed);
+    return made;
+  }
+
+  /// A frame from the bus, with all that follows from it.
+  void serve(const can::CanFrame& frame, can::CanBus& bus) noexcept {
+    if (!line) {
+      take(frame);
+      flush(bus);
+      return;
+    }
+    line->connect(bus);
+    if (clock == WorldClock::kLockstep && wire.on_frame(frame)) {
+      answers.begin_tick(wire.tick());
+      const std::int64_t period = wire.periods_until(wire.tick());
+      begin_period(period, static_cast<double>(period) * config.control_period_s - config.time_zero_s);
+    }
+    line->enter(frame);
+    can::CanFrame heard;
+    while (line->receive({&heard, 1}) == 1) {
+      take(heard);
+      flush(bus);
+    }
+  }
+
+  void flush(can::CanBus& bus) noexcept {
+    if (line) {
+      line->connect(bus);
+      outbox.flush(*line);
+    } else {
+      answers.note(outbox.flush(bus));
+    }
+  }
+
+  /// Free running: the faults' clock is the world's.
+  void begin_free_period(can::CanBus& bus) noexcept {
+    if (!line || !was_driven || steps_in_period != 0) return;
+    line->connect(bus);
+    begin_period(step / steps_per_period, time_s());
+  }
+
+  void begin_period(std::int64_t period, double begin_s) noexcept {
+    const std::uint32_t active = schedule.active(begin_s);
+    recorder.mark_faults(active);
+    line->begin_period(period, active);
+    nodes.begin_fault_tick(begin_s, period);
+  }
+
+  /// Nodes lose and regain their power with the world's time.
+  void update_power() noexcept {
+    if (!line || !was_driven) return;
+    const NodeSet before = std::exchange(unpowered, schedule.unpowered(schedule.active(time_s())));
+    nodes.for_each([&](can::Node name, auto& node) {
+      if (before.has(name) && !unpowered.has(name)) node.restart(outbox);
+    });
+  }
+
+  [[nodiscard]] bool hears(can::Node node) const noexcept { return !line || line->hears(node); }
 
   void take(const can::CanFrame& frame) noexcept {
     can::Rejection verdict = can::Rejection::kUnknownIdentifier;
@@ -62,48 +127,60 @@ struct SimulatedRobot::Parts {
     can::FrameStamp stamp;
     if (const auto rejection = can::decode_sync(frame, stamp); rejection != can::Rejection::kNone) return rejection;
     const bool is_first = !master.is_present();
+    const bool is_back = is_first && has_come_back(stamp.tick);
     const std::uint32_t last_tick = master.tick();
     if (const auto rejection = master.on_sync(stamp, max_gap_ticks()); rejection != can::Rejection::kNone) {
       return rejection;
     }
     if (is_first) {
-      clock_origin_step = step;
+      if (!is_back) clock_origin_step = step - wire.periods_until(stamp.tick) * steps_per_period;
       tick_of_period = stamp.tick;
     } else if (clock == WorldClock::kLockstep) {
       catch_up(stamp.tick - last_tick);
     }
     is_period_open = true;
+    was_driven = true;
     silent_steps = 0;
+    if (!line || clock == WorldClock::kFreeRunning) answers.begin_tick(stamp.tick);
+    update_power();
 
-    const RobotModel& robot = world.robot();
-    const PerSide<LegVector> angle_rad = robot.angles_rad();
-    const PerSide<LegVector> rate_rad_s = robot.rates_rad_s();
-    for (const Side side : kSides) {
-      leg[index(side)].on_sync(stamp.tick, angle_rad[index(side)], rate_rad_s[index(side)], outbox);
-      foot[index(side)].on_sync(stamp.tick, recorder.truth().corner_force_n[index(side)], outbox);
-    }
-    imu.on_sync(stamp.tick, recorder.torso(), outbox);
+    const SensedState sensed{.angle_rad = world.robot().angles_rad(),
+                             .rate_rad_s = world.robot().rates_rad_s(),
+                             .corner_force_n = recorder.truth().corner_force_n,
+                             .torso = recorder.torso()};
+    nodes.on_sync(
+        stamp.tick, sensed, [this](can::Node node) { return hears(node); }, outbox);
     return can::Rejection::kNone;
   }
 
   can::Rejection take_command(Side side, const can::CanFrame& frame) noexcept {
     if (!master.may_command()) return can::Rejection::kUnknownIdentifier;
-    const can::Rejection verdict = leg[index(side)].on_command(frame, outbox);
-    const bool is_complete = is_period_open && leg[0].has_command() && leg[1].has_command();
+    const can::Rejection verdict = nodes.leg[index(side)].on_command(frame, outbox);
+    const bool is_complete = is_period_open && std::ranges::all_of(kSides, [&](Side one) {
+                               return nodes.leg[index(one)].has_command() || !hears(can::leg_node(one));
+                             });
     if (clock == WorldClock::kLockstep && is_complete) advance_period();
     return verdict;
+  }
+
+  /// Free running: a master that was released for its silence goes on where it would be now.
+  [[nodiscard]] bool has_come_back(std::uint32_t tick) const noexcept {
+    if (clock != WorldClock::kFreeRunning || !was_driven) return false;
+    const std::int64_t gap = static_cast<std::int64_t>(tick) - master.tick();
+    return std::abs(gap - silent_steps / steps_per_period) <= kFreeRunningSlackTicks;
   }
 
   /// How far the master may be ahead of its last SYNC. A world of its own clock knows how long ago that was.
   [[nodiscard]] std::uint32_t max_gap_ticks() const noexcept {
     if (clock == WorldClock::kLockstep) return MasterWatch::kMaxLostTicks;
-    return static_cast<std::uint32_t>(silent_steps / steps_per_period) + kFreeRunningSlackTicks;
+    return static_cast<std::uint32_t>(silent_steps / steps_per_period + kFreeRunningSlackTicks);
   }
 
   void release_master() noexcept {
     master.release();
     is_period_open = false;
-    for (LegBoard& board : leg) board.release_master();
+    wire.stop();
+    for (LegBoard& board : nodes.leg) board.release_master();
   }
 
   /// Periods that the controller has counted and the world has not.
@@ -119,11 +196,13 @@ struct SimulatedRobot::Parts {
   }
 
   void advance_step() noexcept {
+    if (steps_in_period == 0) update_power();
     if (master.is_present()) hang_due_payloads();
     const PerSide<LegVector> rate_rad_s = world.robot().rates_rad_s();
     PerSide<LegVector> torque_nm{};
     for (const Side side : kSides) {
-      torque_nm[index(side)] = leg[index(side)].begin_step(rate_rad_s[index(side)], outbox);
+      if (unpowered.has(can::leg_node(side))) continue;
+      torque_nm[index(side)] = nodes.leg[index(side)].begin_step(rate_rad_s[index(side)], outbox);
     }
     world.advance(torque_nm, config.physics_step_s);
     recorder.add_step(world.loads());
@@ -157,11 +236,13 @@ struct SimulatedRobot::Parts {
   std::int64_t watchdog_steps;
   World world;
   TruthRecorder recorder;
-  PerSide<LegBoard> leg;
-  PerSide<FootNode> foot;
-  ImuNode imu;
+  RobotNodes nodes;
   MasterWatch master;
   FrameOutbox outbox;
+  AnswerWatch answers;
+  FaultSchedule schedule;
+  std::unique_ptr<BusLine> line;  ///< none without faults
+  NodeSet unpowered;
   NodeCounters counters;
   std::size_t next_payload = 0;
   std::int64_t step = 0;               ///< since the start
@@ -171,6 +252,8 @@ struct SimulatedRobot::Parts {
   std::int64_t periods = 0;          ///< closed since the start
   std::uint32_t tick_of_period = 0;  ///< master's tick of the period that runs or comes next
   std::uint32_t truth_tick = 0;      ///< of the last closed one
+  WireClock wire;                    ///< without faults it stands still
+  bool was_driven = false;
   bool is_period_open = false;  ///< SYNC came, the period of its tick has not been simulated yet
 };
 
@@ -181,34 +264,40 @@ SimulatedRobot::~SimulatedRobot() = default;
 
 void SimulatedRobot::serve(can::CanBus& bus) noexcept {
   std::array<can::CanFrame, kBatchFrames> batch;
-  while (const std::size_t count = bus.receive(batch)) {
-    for (std::size_t i = 0; i < count; ++i) {
-      parts_->take(batch[i]);
-      parts_->outbox.flush(bus);
-    }
-  }
+  const std::int64_t periods_before = parts_->periods;
+  std::size_t count = 0;
+  do {
+    count = bus.receive(batch);
+    for (std::size_t i = 0; i < count; ++i) parts_->serve(batch[i], bus);
+    // A master in another process may have answered meanwhile: one period a call, so that none goes unseen.
+  } while (count == batch.size() && parts_->periods == periods_before);
 }
 
 void SimulatedRobot::advance_to(double world_time_s, can::CanBus& bus) noexcept {
   const auto target = static_cast<std::int64_t>(world_time_s / parts_->config.physics_step_s);
   while (parts_->step < target) {
+    parts_->begin_free_period(bus);
     parts_->advance_step();
-    parts_->outbox.flush(bus);
+    parts_->flush(bus);
   }
 }
 
 void SimulatedRobot::announce(can::CanBus& bus) noexcept {
-  for (const Side side : kSides) {
-    parts_->leg[index(side)].announce(parts_->outbox);
-    parts_->foot[index(side)].announce(parts_->outbox);
-  }
-  parts_->imu.announce(parts_->outbox);
-  parts_->outbox.flush(bus);
+  parts_->nodes.for_each([this](can::Node name, auto& node) {
+    if (!parts_->unpowered.has(name)) node.announce(parts_->outbox);
+  });
+  parts_->flush(bus);
 }
 
 void SimulatedRobot::release_master() noexcept { parts_->release_master(); }
 
 bool SimulatedRobot::has_master() const noexcept { return parts_->master.is_present(); }
+
+bool SimulatedRobot::has_answered_fully() const noexcept { return parts_->answers.is_complete(); }
+
+std::uint32_t SimulatedRobot::wire_tick() const noexcept {
+  return parts_->wire.has_begun() ? parts_->wire.tick() : parts_->master.tick();
+}
 
 std::uint32_t SimulatedRobot::tick() const noexcept { return parts_->master.tick(); }
 
@@ -222,7 +311,8 @@ NodeCounters SimulatedRobot::counters() const noexcept {
   NodeCounters counters = parts_->counters;
   counters.sent = parts_->outbox.sent();
   counters.refused_by_bus = parts_->outbox.dropped();
-  counters.lost = parts_->master.lost() + parts_->leg[0].lost() + parts_->leg[1].lost();
+  if (parts_->line) counters.faults = parts_->line->counters();
+  counters.lost = parts_->master.lost() + parts_->nodes.leg[0].lost() + parts_->nodes.leg[1].lost();
   return counters;
 }
 

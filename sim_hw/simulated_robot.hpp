@@ -6,6 +6,7 @@
 
 #include "firmware/can/can_bus.hpp"
 #include "firmware/can/messages.hpp"
+#include "sim_hw/faults/bus_line.hpp"
 #include "sim_hw/ground_truth.hpp"
 #include "sim_hw/plant_config.hpp"
 
@@ -14,10 +15,11 @@ namespace surefoot::sim_hw {
 /// Running totals of the robot's side of the bus.
 struct NodeCounters {
   std::uint64_t sent = 0;
-  std::uint64_t refused_by_bus = 0;         ///< the bus did not take them
-  std::uint64_t received = 0;               ///< accepted
+  std::uint64_t refused_by_bus = 0;                             ///< the bus did not take them
+  std::uint64_t received = 0;                                   ///< accepted
   std::array<std::uint64_t, can::kRejectionCauses> rejected{};  ///< by `can::Rejection`
-  std::uint64_t lost = 0;                   ///< gaps in the rolling counters of SYNC and torque frames
+  std::uint64_t lost = 0;  ///< gaps in the rolling counters of SYNC and torque frames
+  FaultCounters faults;    ///< what the scenario's faults did to frames
 };
 
 /// What moves the simulated world on.
@@ -28,6 +30,9 @@ enum class WorldClock : std::uint8_t {
 
 /// The simulated robot as the firmware meets it: five nodes on a CAN bus.
 /// Fresh world for each object, no global state; many may live in one process, on many threads.
+///
+/// The scenario's faults happen between the nodes and the bus given to the calls below, and in the nodes'
+/// sensors; in free running from the first master on.
 class SimulatedRobot {
  public:
   /// @param initial_angle_rad  joint angles at the start; the soles stand on the floor
@@ -38,8 +43,8 @@ class SimulatedRobot {
   SimulatedRobot(const SimulatedRobot&) = delete;
   SimulatedRobot& operator=(const SimulatedRobot&) = delete;
 
-  /// Serves the bus once: takes all waiting frames; answers SYNC with the latched state of each
-  /// node; takes torques. Does not allocate (with the contact model `kSpringDamper`).
+  /// Serves the bus once: takes the waiting frames, at most until a period has been simulated; answers SYNC with the
+  /// latched state of each node; takes torques. Does not allocate (with the contact model `kSpringDamper`).
   ///
   /// In lockstep it advances the world by one control period when both torque frames of the tick have
   /// arrived. A tick whose torque frames or SYNC were lost is made up for at the next SYNC, so that the
@@ -59,7 +64,14 @@ class SimulatedRobot {
   /// Whether somebody drives this robot.
   [[nodiscard]] bool has_master() const noexcept;
 
-  /// Tick of the last SYNC.
+  /// Whether all five nodes' answers to the last SYNC went out to the bus, in its tick and unspoilt. False
+  /// as well while a fault keeps SYNC from the robot.
+  [[nodiscard]] bool has_answered_fully() const noexcept;
+
+  /// Tick of the last SYNC that came to the robot's end of the bus, also when a fault kept it from the nodes.
+  [[nodiscard]] std::uint32_t wire_tick() const noexcept;
+
+  /// Tick of the last SYNC that the nodes heard.
   [[nodiscard]] std::uint32_t tick() const noexcept;
 
   /// Control periods simulated since the start; `truth` is of the end of the last one.

@@ -19,6 +19,9 @@ class TruthRecorder {
   void close_period(const World&, const PerSide<LegVector>& torque_nm, double time_s, int steps,
                     double period_s) noexcept;
 
+  /// Which faults are on from now on.
+  void mark_faults(std::uint32_t active) noexcept { truth_.faults_active = active; }
+
   [[nodiscard]] const GroundTruth& truth() const noexcept { return truth_; }
   /// What an IMU at the body frame's origin felt in the period.
   [[nodiscard]] const TorsoMotion& torso() const noexcept { return torso_; }

@@ -2,18 +2,19 @@
 
 #include <algorithm>
 
+#include "firmware/can/other_master.hpp"
+
 namespace surefoot::can {
 namespace {
 
 constexpr std::uint32_t kHeartbeatPeriodTicks = 100;
+constexpr std::uint16_t kEmergencyFault = 0xFF00;  // CiA 301: device specific
+constexpr std::uint8_t kGenericError = 0x01;       // error register, bit 0
 
 // CiA 301: the upper four bits of an identifier say what it is, the lower seven who sends it. The
 // decoders look at the whole of it again.
 constexpr std::uint16_t kFunctionMask = 0x780;
 constexpr std::uint16_t kNodeMask = 0x07F;
-
-/// Place of a sensor node (1 to 5) in the arrays.
-constexpr std::size_t slot(Node node) noexcept { return static_cast<std::size_t>(node) - 1; }
 
 void age(Freshness& freshness, bool answered) noexcept {
   if (answered) {
@@ -25,26 +26,30 @@ void age(Freshness& freshness, bool answered) noexcept {
 
 }  // namespace
 
+void FrameExchange::announce(CanBus& bus, NodeState state) noexcept {
+  was_other_master_heard_ = false;
+  const CanFrame heartbeat = own_heartbeat(state);
+  send(bus, {&heartbeat, 1});
+}
+
+void FrameExchange::listen(CanBus& bus) noexcept { take_waiting(bus); }
+
 void FrameExchange::begin_tick(CanBus& bus, std::uint32_t tick) noexcept {
   tick_ = tick;
   snapshot_.tick = tick;
   answered_.fill(false);
+  is_served_ = false;
+  is_running_ = true;
+  was_other_master_heard_ = false;
   std::array<CanFrame, 2> frames{encode_sync({.tick = tick, .counter = sync_counter_++})};
   std::size_t count = 1;
-  if (tick % kHeartbeatPeriodTicks == 0) {
-    frames[count++] = encode_heartbeat(Node::kController, {.tick = tick, .counter = heartbeat_counter_++},
-                                       {.state = NodeState::kOperational});
-  }
+  if (tick % kHeartbeatPeriodTicks == 0) frames[count++] = own_heartbeat(NodeState::kOperational);
   send(bus, std::span(frames).first(count));
 }
 
 bool FrameExchange::collect(CanBus& bus) noexcept {
-  for (std::size_t batch = 0; batch < kMaxBatches; ++batch) {
-    const std::size_t count = bus.receive(inbox_);
-    for (std::size_t i = 0; i < count; ++i) accept(inbox_[i]);
-    if (count < inbox_.size()) break;
-  }
-  return std::ranges::all_of(answered_, [](bool answered) { return answered; });
+  take_waiting(bus);
+  return is_served_ || std::ranges::all_of(answered_, [](bool answered) { return answered; });
 }
 
 const SensorSnapshot& FrameExchange::finish_collecting() noexcept {
@@ -65,36 +70,81 @@ void FrameExchange::send_commands(CanBus& bus, const PerSide<LegCommand>& comman
   send(bus, frames);
 }
 
+void FrameExchange::report(CanBus& bus, safety::Fault fault) noexcept {
+  const auto code = static_cast<std::uint16_t>(kEmergencyFault + static_cast<std::uint16_t>(fault));
+  const CanFrame emergency = encode_emergency(Node::kController, {.tick = tick_, .counter = emergency_counter_++},
+                                              {.code = code, .error_register = kGenericError});
+  send(bus, {&emergency, 1});
+}
+
+safety::Finding FrameExchange::finding() const noexcept {
+  const safety::Finding second_master =
+      was_other_master_heard_ ? finding_of(safety::Fault::kSecondMaster) : safety::Finding{};
+  return followed_by(second_master, roster_.finding());
+}
+
+CanFrame FrameExchange::own_heartbeat(NodeState state) noexcept {
+  roster_.on_own_heartbeat();
+  return encode_heartbeat(Node::kController, {.tick = tick_, .counter = heartbeat_counter_++}, {.state = state});
+}
+
 void FrameExchange::send(CanBus& bus, std::span<const CanFrame> frames) noexcept {
   const std::size_t taken = bus.send(frames);
   counters_.sent += taken;
   counters_.refused_by_bus += frames.size() - taken;
 }
 
-void FrameExchange::accept(const CanFrame& frame) noexcept {
-  const auto node = static_cast<Node>(frame.identifier & kNodeMask);
-  const bool is_sensor_node = node >= Node::kLegRight && node <= Node::kTorsoImu;
-  Rejection rejection = Rejection::kUnknownIdentifier;
-  if (is_sensor_node) {
-    switch (frame.identifier & kFunctionMask) {
-      case state_identifier(Node{0}):
-        rejection = accept_state(node, frame);
-        break;
-      case heartbeat_identifier(Node{0}):
-        rejection = accept_heartbeat(node, frame);
-        break;
-      case emergency_identifier(Node{0}):
-        rejection = accept_emergency(node, frame);
-        break;
-      default:
-        break;
-    }
+void FrameExchange::take_waiting(CanBus& bus) noexcept {
+  for (std::size_t batch = 0; batch < kMaxBatches; ++batch) {
+    const std::size_t count = bus.receive(inbox_);
+    for (std::size_t i = 0; i < count; ++i) accept(inbox_[i]);
+    if (count < inbox_.size()) break;
   }
+}
+
+void FrameExchange::accept(const CanFrame& frame) noexcept {
+  const Rejection rejection = judge(frame);
   if (rejection == Rejection::kNone) {
     ++counters_.received;
   } else {
     ++counters_.rejected[static_cast<std::size_t>(rejection)];
   }
+}
+
+Rejection FrameExchange::judge(const CanFrame& frame) noexcept {
+  if (frame.identifier == kLockstepServedIdentifier) return accept_lockstep_served(frame);
+  const auto node = static_cast<Node>(frame.identifier & kNodeMask);
+  const bool is_sensor_node = node >= Node::kLegRight && node <= Node::kTorsoImu;
+  if (is_sensor_node) {
+    switch (frame.identifier & kFunctionMask) {
+      case state_identifier(Node{0}):
+        return accept_state(node, frame);
+      case heartbeat_identifier(Node{0}):
+        return accept_heartbeat(node, frame);
+      case emergency_identifier(Node{0}):
+        return accept_emergency(node, frame);
+      default:
+        break;
+    }
+  }
+  return judge_foreigner(frame);
+}
+
+Rejection FrameExchange::judge_foreigner(const CanFrame& frame) noexcept {
+  if (is_running_ ? is_of_another_master(frame, tick_) : is_of_a_master(frame)) {
+    was_other_master_heard_ = true;
+    ++counters_.from_other_master;
+  }
+  return Rejection::kUnknownIdentifier;
+}
+
+Rejection FrameExchange::accept_lockstep_served(const CanFrame& frame) noexcept {
+  FrameStamp stamp;
+  if (const Rejection rejection = decode_lockstep_served(frame, stamp); rejection != Rejection::kNone) return rejection;
+  if (!is_running_ || stamp.tick != tick_) return Rejection::kLate;
+  const Rejection rejection = judge_counter(served_watch_, stamp);
+  if (rejection == Rejection::kNone) is_served_ = true;
+  return rejection;
 }
 
 Rejection FrameExchange::accept_state(Node node, const CanFrame& frame) noexcept {
@@ -147,21 +197,31 @@ Rejection FrameExchange::accept_imu(const CanFrame& frame) noexcept {
 Rejection FrameExchange::accept_heartbeat(Node node, const CanFrame& frame) noexcept {
   FrameStamp stamp;
   Heartbeat heartbeat;
-  const Rejection rejection = decode_heartbeat(frame, stamp, heartbeat);
+  Rejection rejection = decode_heartbeat(frame, stamp, heartbeat);
   if (rejection != Rejection::kNone) return rejection;
-  if (heartbeat.protocol_version != kProtocolVersion) return Rejection::kImplausible;
-  return judge_counter(heartbeat_watch_[slot(node)], stamp);
+  const bool starts_anew = heartbeat.state == NodeState::kBootUp && roster_.status(node).state != NodeState::kBootUp;
+  if (starts_anew) heartbeat_watch_[slot(node)].restart();
+  rejection = judge_counter(heartbeat_watch_[slot(node)], stamp);
+  if (rejection != Rejection::kNone) return rejection;
+  if (roster_.on_heartbeat(node, heartbeat, tick_)) {
+    state_watch_[slot(node)].restart();
+    emergency_watch_[slot(node)].restart();
+  }
+  return roster_.status(node).is_foreign() ? Rejection::kForeignVersion : Rejection::kNone;
 }
 
 Rejection FrameExchange::accept_emergency(Node node, const CanFrame& frame) noexcept {
   FrameStamp stamp;
   Emergency emergency;
-  const Rejection rejection = decode_emergency(frame, stamp, emergency);
-  return rejection == Rejection::kNone ? judge_counter(emergency_watch_[slot(node)], stamp) : rejection;
+  Rejection rejection = decode_emergency(frame, stamp, emergency);
+  if (rejection == Rejection::kNone) rejection = judge_counter(emergency_watch_[slot(node)], stamp);
+  if (rejection == Rejection::kNone) roster_.on_emergency(node, emergency);
+  return rejection;
 }
 
 Rejection FrameExchange::judge_state(Node node, FrameStamp stamp) noexcept {
-  if (stamp.tick != (tick_ & 0xFFFFU)) return Rejection::kLate;
+  if (roster_.status(node).is_foreign()) return Rejection::kForeignVersion;
+  if (!is_running_ || stamp.tick != (tick_ & 0xFFFFU)) return Rejection::kLate;
   if (answered_[slot(node)]) return Rejection::kRepeated;  // the first answer counts; a second is somebody else's
   const Rejection rejection = judge_counter(state_watch_[slot(node)], stamp);
   if (rejection == Rejection::kNone) answered_[slot(node)] = true;

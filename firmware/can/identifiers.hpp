@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "firmware/core/joints.hpp"
@@ -23,6 +24,10 @@ inline constexpr std::array kNodes{Node::kLegRight, Node::kLegLeft,  Node::kFoot
 
 inline constexpr std::uint16_t kSyncIdentifier = 0x080;
 
+/// Simulated robot only: it has answered all that it will for this tick's SYNC. Sent in lockstep when some
+/// node did not answer, so that the firmware need not wait for it.
+inline constexpr std::uint16_t kLockstepServedIdentifier = 0x7F0;
+
 [[nodiscard]] constexpr std::uint16_t emergency_identifier(Node node) noexcept {
   return static_cast<std::uint16_t>(0x080 + static_cast<std::uint16_t>(node));
 }
@@ -34,6 +39,36 @@ inline constexpr std::uint16_t kSyncIdentifier = 0x080;
 }
 [[nodiscard]] constexpr std::uint16_t heartbeat_identifier(Node node) noexcept {
   return static_cast<std::uint16_t>(0x700 + static_cast<std::uint16_t>(node));
+}
+
+/// The nodes that the firmware listens to.
+inline constexpr std::array kSensorNodes{Node::kLegRight, Node::kLegLeft, Node::kFootRight, Node::kFootLeft,
+                                         Node::kTorsoImu};
+
+/// Place of a sensor node in arrays of `kSensorNodes.size()`.
+[[nodiscard]] constexpr std::size_t slot(Node node) noexcept { return static_cast<std::size_t>(node) - 1; }
+
+/// Name as it appears in messages, e.g. "right foot".
+[[nodiscard]] constexpr const char* name(Node node) noexcept {
+  switch (node) {
+    case Node::kLegRight:
+      return "right leg board";
+    case Node::kLegLeft:
+      return "left leg board";
+    case Node::kFootRight:
+      return "right foot";
+    case Node::kFootLeft:
+      return "left foot";
+    case Node::kTorsoImu:
+      return "torso IMU";
+    case Node::kController:
+      return "controller";
+  }
+  return "unknown";
+}
+
+[[nodiscard]] constexpr bool is_leg_board(Node node) noexcept {
+  return node == Node::kLegRight || node == Node::kLegLeft;
 }
 
 [[nodiscard]] constexpr Node leg_node(Side side) noexcept {

@@ -13,6 +13,7 @@ namespace {
 // Frames of one kind have one layout in surefoot.dbc whatever their sender (a test checks it), so the
 // generated code of one member serves its whole family.
 using Sync = surefoot_sync_t;
+using LockstepServed = surefoot_lockstep_served_t;
 using LegCommandRaw = surefoot_leg_command_right_t;
 using LegStateRaw = surefoot_leg_state_right_t;
 using FootForceRaw = surefoot_foot_force_right_t;
@@ -24,6 +25,8 @@ constexpr std::size_t kCrcFirst = 0;  ///< in all frames of the control loop
 constexpr std::size_t kCrcLast = 6;   ///< where CiA 301 gives byte 0 a meaning
 
 constexpr ProtectedMessage<Sync> kSync{surefoot_sync_pack, surefoot_sync_unpack, SUREFOOT_SYNC_LENGTH, kCrcFirst};
+constexpr ProtectedMessage<LockstepServed> kLockstepServed{
+    surefoot_lockstep_served_pack, surefoot_lockstep_served_unpack, SUREFOOT_LOCKSTEP_SERVED_LENGTH, kCrcFirst};
 constexpr ProtectedMessage<LegCommandRaw> kLegCommand{
     surefoot_leg_command_right_pack, surefoot_leg_command_right_unpack, SUREFOOT_LEG_COMMAND_RIGHT_LENGTH, kCrcFirst};
 constexpr ProtectedMessage<LegStateRaw> kLegState{surefoot_leg_state_right_pack, surefoot_leg_state_right_unpack,
@@ -135,6 +138,10 @@ CanFrame encode_emergency(Node node, FrameStamp stamp, Emergency emergency) noex
   return kEmergency.seal(emergency_identifier(node), stamp, raw);
 }
 
+CanFrame encode_lockstep_served(FrameStamp stamp) noexcept {
+  return kLockstepServed.seal(kLockstepServedIdentifier, stamp, {});
+}
+
 Rejection decode_sync(const CanFrame& frame, FrameStamp& stamp) noexcept {
   if (frame.identifier != kSyncIdentifier) return Rejection::kUnknownIdentifier;
   Sync raw;
@@ -211,6 +218,14 @@ Rejection decode_emergency(const CanFrame& frame, FrameStamp& stamp, Emergency& 
   if (const Rejection rejection = kEmergency.open(frame, raw); rejection != Rejection::kNone) return rejection;
   stamp = stamp_of(raw);
   emergency = {.code = raw.code, .error_register = raw.error_register};
+  return Rejection::kNone;
+}
+
+Rejection decode_lockstep_served(const CanFrame& frame, FrameStamp& stamp) noexcept {
+  if (frame.identifier != kLockstepServedIdentifier) return Rejection::kUnknownIdentifier;
+  LockstepServed raw;
+  if (const Rejection rejection = kLockstepServed.open(frame, raw); rejection != Rejection::kNone) return rejection;
+  stamp = stamp_of(raw);
   return Rejection::kNone;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "firmware/can/can_frame.hpp"
@@ -15,14 +16,18 @@ enum class Rejection : std::uint8_t {
   kUnknownIdentifier,  ///< none of this kind of frame, or one that only the receiver itself may send
   kWrongLength,
   kWrongCrc,
-  kRepeated,     ///< rolling counter did not move: a duplicate or a replay
-  kLate,         ///< answers another tick than the one that runs
-  kImplausible,  ///< a decoded value is outside its physical range
+  kRepeated,        ///< rolling counter did not move: a duplicate or a replay
+  kLate,            ///< answers another tick than the one that runs
+  kImplausible,     ///< a decoded value is outside its physical range
+  kForeignVersion,  ///< a heartbeat of another protocol version, or a state frame of a node that announced one
 };
+
+/// Size of an array indexed by `Rejection`.
+inline constexpr std::size_t kRejectionCauses = 8;
 
 /// What every protected frame carries beside its values.
 struct FrameStamp {
-  std::uint32_t tick = 0;    ///< SYNC: 32 bits; other frames carry the low 16 bits
+  std::uint32_t tick = 0;    ///< SYNC and its lockstep marker: 32 bits; other frames carry the low 16 bits
   std::uint8_t counter = 0;  ///< rolling, one up for each frame of this identifier
 };
 
@@ -36,7 +41,8 @@ struct LegStatus {
 /// NMT states of CiA 301, the first byte of a heartbeat.
 enum class NodeState : std::uint8_t { kBootUp = 0x00, kStopped = 0x04, kOperational = 0x05, kPreOperational = 0x7F };
 
-/// Version of surefoot.dbc, in every heartbeat. A heartbeat with another version is refused and counted.
+/// Version of surefoot.dbc, in every heartbeat. A heartbeat with another version is refused and counted, and so
+/// are the state frames of its sender until it announces the right one.
 inline constexpr std::uint8_t kProtocolVersion = 1;
 
 struct Heartbeat {
@@ -46,7 +52,7 @@ struct Heartbeat {
 
 /// CiA 301 emergency: code and error register.
 struct Emergency {
-  std::uint16_t code = 0;  ///< 0x8130 watchdog, 0x0000 error reset
+  std::uint16_t code = 0;  ///< 0x8130 watchdog, 0x8150 two masters, 0x0000 error reset
   std::uint8_t error_register = 0;
 };
 
@@ -60,6 +66,7 @@ struct Emergency {
 [[nodiscard]] CanFrame encode_imu(FrameStamp, const ImuSensors&) noexcept;
 [[nodiscard]] CanFrame encode_heartbeat(Node, FrameStamp, Heartbeat) noexcept;
 [[nodiscard]] CanFrame encode_emergency(Node, FrameStamp, Emergency) noexcept;
+[[nodiscard]] CanFrame encode_lockstep_served(FrameStamp) noexcept;
 
 /// Decoders: check identifier, length, CRC and physical ranges, in this order; on a rejection the outputs are
 /// untouched. Rolling counter and tick are the receiver's to judge (`CounterWatch`): they need memory.
@@ -71,5 +78,6 @@ struct Emergency {
 [[nodiscard]] Rejection decode_imu(const CanFrame&, FrameStamp&, ImuSensors&) noexcept;
 [[nodiscard]] Rejection decode_heartbeat(const CanFrame&, FrameStamp&, Heartbeat&) noexcept;
 [[nodiscard]] Rejection decode_emergency(const CanFrame&, FrameStamp&, Emergency&) noexcept;
+[[nodiscard]] Rejection decode_lockstep_served(const CanFrame&, FrameStamp&) noexcept;
 
 }  // namespace surefoot::can

@@ -5,9 +5,12 @@
 #include "firmware/core/decision/reflex_config.hpp"
 #include "firmware/core/decision/reflex_sequence.hpp"
 #include "firmware/core/estimation/estimator.hpp"
+#include "firmware/core/gait/safe_stop.hpp"
 #include "firmware/core/gait/walk_parameters.hpp"
 #include "firmware/core/geometry/robot_geometry.hpp"
 #include "firmware/core/safety/output_gate.hpp"
+#include "firmware/core/safety/plausibility.hpp"
+#include "firmware/core/safety/start_posture.hpp"
 #include "firmware/core/servo/joint_pid.hpp"
 
 namespace surefoot {
@@ -21,6 +24,9 @@ struct ControllerConfig {
   decision::PayloadDetectorConfig detector{};
   decision::ReflexConfig reflex{};
   servo::ServoConfig servo{};
+  gait::SafeStopConfig stop{};
+  safety::StartPostureConfig posture{};
+  safety::PlausibilityConfig plausibility{};
   safety::OutputGateConfig gate{};
 };
 
@@ -33,22 +39,32 @@ struct TickOutput {
   FootReference foot_reference{};
   JointReference joint_reference{};
   PerSide<LegVector> wanted_torque_nm{};
-  safety::Fault fault = safety::Fault::kNone;
+  safety::Fault fault = safety::Fault::kNone;               ///< the first one; it lasts
+  safety::SafeState safe_state = safety::SafeState::kNone;  ///< the worst that was needed so far
+  bool is_waiting_for_posture = false;  ///< torques and sequence begin when the robot stands as the first reference
 };
 
 /// The firmware: one call a tick, no clock, heap, lock, exception or log.
 class Controller {
  public:
-  explicit Controller(const ControllerConfig& config) noexcept : config_(config) {}
+  explicit Controller(const ControllerConfig& config) noexcept;
 
   /// One tick. Calls must come once a period; `sensors.tick` counts them.
-  [[nodiscard]] TickOutput tick(const SensorSnapshot& sensors) noexcept;
+  ///
+  /// @param reported  a fault that was found outside (`safety::finding_of`): it latches like the controller's own.
+  ///                  The feet begin to stop in the tick after the one that latched
+  [[nodiscard]] TickOutput tick(const SensorSnapshot& sensors, safety::Finding reported = {}) noexcept;
 
  private:
+  [[nodiscard]] bool is_waiting_for_posture(const SensorSnapshot& sensors) noexcept;
+
   ControllerConfig config_;
+  JointReference standing_;  ///< where the sequence begins
+  bool is_up_ = false;       ///< the robot has stood as it must, once
   estimation::EstimatorState estimator_{};
   decision::ReflexSequenceState sequence_{};
   servo::ServoState servo_{};
+  safety::PlausibilityState plausibility_{};
   safety::OutputGateState gate_{};
 };
 

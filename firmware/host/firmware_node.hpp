@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "firmware/can/can_bus.hpp"
@@ -14,6 +15,20 @@ class FirmwareNode {
  public:
   explicit FirmwareNode(const ControllerConfig& config) noexcept : controller_(config) {}
 
+  /// Before tick 0: tells the nodes that a controller is there.
+  void announce(can::CanBus& bus, can::NodeState state) noexcept { exchange_.announce(bus, state); }
+
+  /// Before tick 0: takes what has arrived.
+  void listen(can::CanBus& bus) noexcept { exchange_.listen(bus); }
+
+  /// Before tick 0: all five nodes speak our protocol version, and did so lately.
+  [[nodiscard]] bool is_everybody_ready() const noexcept { return exchange_.is_everybody_ready(); }
+
+  /// Before tick 0: somebody else sends the controller's frames.
+  [[nodiscard]] bool has_heard_second_master() const noexcept {
+    return exchange_.finding().fault == safety::Fault::kSecondMaster;
+  }
+
   /// Sends SYNC of the next tick.
   void begin_tick(can::CanBus& bus) noexcept { exchange_.begin_tick(bus, next_tick_); }
 
@@ -22,21 +37,48 @@ class FirmwareNode {
 
   /// Runs the controller on what is there and sends the torques. Ends the tick.
   const TickOutput& finish_tick(can::CanBus& bus) noexcept {
-    snapshot_ = &exchange_.finish_collecting();
-    output_ = controller_.tick(*snapshot_);
+    snapshot_ = exchange_.finish_collecting();
+    const bool had_fault = output_.fault != safety::Fault::kNone;
+    run_controller();
     exchange_.send_commands(bus, output_.command);
-    ++next_tick_;
+    if (!had_fault && output_.fault != safety::Fault::kNone) exchange_.report(bus, output_.fault);
     return output_;
   }
 
-  /// Inputs of the last finished tick; only after the first `finish_tick`.
-  [[nodiscard]] const SensorSnapshot& snapshot() const noexcept { return *snapshot_; }
+  /// A tick whose instant has passed while an earlier one was at work: nothing is sent, the controller's time
+  /// goes on. Sensors keep value and age of the last tick, for the nodes were not asked.
+  void miss_tick() noexcept {
+    snapshot_.tick = next_tick_;
+    run_controller();
+  }
+
+  /// Makes the next tick latch a fault that the host has found, such as `kLoopOverrun`.
+  void request_stop(safety::Fault fault) noexcept { requested_ = safety::finding_of(fault); }
+
+  /// Inputs of the last tick.
+  [[nodiscard]] const SensorSnapshot& snapshot() const noexcept { return snapshot_; }
   [[nodiscard]] const can::FrameCounters& counters() const noexcept { return exchange_.counters(); }
 
+  /// @param node  one of `can::kSensorNodes`
+  [[nodiscard]] const can::NodeStatus& node_status(can::Node node) const noexcept {
+    return exchange_.node_status(node);
+  }
+
+  /// A node has announced since it was first heard that it started anew.
+  [[nodiscard]] bool has_robot_restarted() const noexcept {
+    return std::ranges::any_of(can::kSensorNodes, [this](can::Node node) { return node_status(node).restarts > 0; });
+  }
+
  private:
+  void run_controller() noexcept {
+    output_ = controller_.tick(snapshot_, followed_by(exchange_.finding(), requested_));
+    ++next_tick_;
+  }
+
   can::FrameExchange exchange_{};
   Controller controller_;
-  const SensorSnapshot* snapshot_ = nullptr;
+  SensorSnapshot snapshot_{};
+  safety::Finding requested_{};
   TickOutput output_{};
   std::uint32_t next_tick_ = 0;
 };

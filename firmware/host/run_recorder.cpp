@@ -2,6 +2,7 @@
 
 #include <pthread.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <csignal>
@@ -16,7 +17,7 @@ namespace {
 
 using std::chrono::steady_clock;
 
-constexpr std::size_t kFramesPerTick = 64;
+constexpr std::size_t kFramesPerTick = 1024;  // of a bus that somebody floods
 constexpr std::size_t kMessagesPerTick = 16;
 constexpr std::size_t kFrameBatch = 1024;
 constexpr std::size_t kMessageBatch = 128;
@@ -73,7 +74,7 @@ void RunRecorder::on_frame(const can::CanFrame& frame) noexcept {
 }
 
 bool RunRecorder::has_room() const noexcept {
-  return frames_.room() >= kFramesPerTick && messages_.room() >= kMessagesPerTick;
+  return frames_.room() >= std::min(kFramesPerTick, options_.frame_slots / 2) && messages_.room() >= kMessagesPerTick;
 }
 
 void RunRecorder::wait_for_room() const {

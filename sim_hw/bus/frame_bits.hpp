@@ -36,25 +36,4 @@ struct BitTiming {
   return std::uint64_t{bits.nominal} * timing.nominal_bit_ns + std::uint64_t{bits.data} * timing.data_bit_ns;
 }
 
-/// How much of the time a bus is busy: add every frame that crosses it.
-class BusLoad {
- public:
-  BusLoad() noexcept = default;
-  explicit BusLoad(BitTiming timing) noexcept : timing_(timing) {}
-
-  void add(const can::CanFrame& frame) noexcept { busy_ns_ += duration_ns(frame_bits(frame), timing_); }
-
-  [[nodiscard]] std::uint64_t busy_ns() const noexcept { return busy_ns_; }
-
-  /// @param elapsed_ns  time over which the frames were added; 0 gives a load of 0
-  /// @return 0 and up; above 100 the frames would not have fitted on the bus
-  [[nodiscard]] double percent(std::uint64_t elapsed_ns) const noexcept {
-    return elapsed_ns == 0 ? 0.0 : 100.0 * static_cast<double>(busy_ns_) / static_cast<double>(elapsed_ns);
-  }
-
- private:
-  BitTiming timing_{};
-  std::uint64_t busy_ns_ = 0;
-};
-
 }  // namespace surefoot::sim_hw

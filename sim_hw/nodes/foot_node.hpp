@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "firmware/core/geometry/robot_geometry.hpp"
+#include "sim_hw/faults/sensor_faults.hpp"
 #include "sim_hw/nodes/frame_outbox.hpp"
 #include "sim_hw/nodes/heartbeat_sender.hpp"
 #include "sim_hw/nodes/noise_source.hpp"
@@ -14,7 +15,7 @@ namespace surefoot::sim_hw {
 /// Four load cells under the corners of one sole; each reports its mean over the last period.
 class FootNode {
  public:
-  FootNode(Side, const SensorConfig&, std::uint64_t seed) noexcept;
+  FootNode(Side, const SensorConfig&, std::uint64_t seed, SensorFaults faults = {}) noexcept;
 
   /// Answers SYNC.
   void on_sync(std::uint32_t tick, const std::array<double, geometry::kCornersPerFoot>& corner_force_n,
@@ -23,10 +24,19 @@ class FootNode {
   /// While no master runs.
   void announce(FrameOutbox& outbox) noexcept { heartbeat_.announce(outbox); }
 
+  /// Power came back.
+  void restart(FrameOutbox& outbox) noexcept {
+    counter_ = 0;
+    heartbeat_.restart(outbox);
+  }
+
+  [[nodiscard]] SensorFaults& faults() noexcept { return faults_; }
+
  private:
   Side side_;
   SensorConfig sensor_;
   NoiseSource noise_;
+  SensorFaults faults_;
   HeartbeatSender heartbeat_;
   std::uint8_t counter_ = 0;
 };

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "firmware/can/can_bus.hpp"
 
@@ -22,12 +23,14 @@ class FrameOutbox {
     }
   }
 
-  void flush(can::CanBus& bus) noexcept {
-    if (count_ == 0) return;
+  /// @return what the bus took, valid until the next `add`
+  std::span<const can::CanFrame> flush(can::CanBus& bus) noexcept {
+    if (count_ == 0) return {};
     const std::size_t taken = bus.send({frame_.data(), count_});
     sent_ += taken;
     dropped_ += count_ - taken;
     count_ = 0;
+    return {frame_.data(), taken};
   }
 
   [[nodiscard]] std::uint64_t sent() const noexcept { return sent_; }

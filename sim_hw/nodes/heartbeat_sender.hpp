@@ -26,6 +26,13 @@ class HeartbeatSender {
     has_booted_ = true;
   }
 
+  /// Power came back: says so at once, and counts from 0.
+  void restart(FrameOutbox& outbox) noexcept {
+    has_booted_ = false;
+    counter_ = 0;
+    announce(outbox);
+  }
+
  private:
   void add(std::uint32_t tick, can::NodeState state, FrameOutbox& outbox) noexcept {
     outbox.add(can::encode_heartbeat(node_, {.tick = tick, .counter = counter_++}, {.state = state}));

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "firmware/core/geometry/robot_geometry.hpp"
+#include "sim_hw/faults/sensor_faults.hpp"
 #include "sim_hw/nodes/frame_outbox.hpp"
 #include "sim_hw/nodes/heartbeat_sender.hpp"
 #include "sim_hw/nodes/noise_source.hpp"
@@ -19,7 +20,7 @@ struct TorsoMotion {
 /// Gyroscope and accelerometer in the trunk.
 class ImuNode {
  public:
-  ImuNode(const SensorConfig&, std::uint64_t seed) noexcept;
+  ImuNode(const SensorConfig&, std::uint64_t seed, SensorFaults faults = {}) noexcept;
 
   /// Answers SYNC.
   void on_sync(std::uint32_t tick, const TorsoMotion&, FrameOutbox&) noexcept;
@@ -27,9 +28,18 @@ class ImuNode {
   /// While no master runs.
   void announce(FrameOutbox& outbox) noexcept { heartbeat_.announce(outbox); }
 
+  /// Power came back.
+  void restart(FrameOutbox& outbox) noexcept {
+    counter_ = 0;
+    heartbeat_.restart(outbox);
+  }
+
+  [[nodiscard]] SensorFaults& faults() noexcept { return faults_; }
+
  private:
   SensorConfig sensor_;
   NoiseSource noise_;
+  SensorFaults faults_;
   HeartbeatSender heartbeat_;
   std::uint8_t counter_ = 0;
 };

@@ -9,6 +9,7 @@ namespace surefoot::sim_hw {
 namespace {
 
 constexpr std::uint16_t kEmergencyWatchdog = 0x8130;
+constexpr std::uint16_t kEmergencyTwoMasters = 0x8150;  // CiA 301, collision of an identifier
 constexpr std::uint16_t kEmergencyReset = 0x0000;
 constexpr std::uint8_t kCommunicationError = 0x10;  // CiA 301, error register bit 4
 
@@ -18,13 +19,15 @@ std::uint64_t steps(double duration_s, double step_s) noexcept {
 
 }  // namespace
 
-LegBoard::LegBoard(Side side, const SimConfig& config) noexcept
+LegBoard::LegBoard(Side side, const SimConfig& config)
     : side_(side),
       sensor_(config.sensor),
       torque_limit_nm_(config.drive.torque_limit_nm),
       latency_steps_(steps(config.command_latency_s, config.physics_step_s)),
       watchdog_steps_(steps(config.watchdog_s, config.physics_step_s)),
       noise_(config.seed, static_cast<std::uint64_t>(can::leg_node(side))),
+      faults_(config.faults, side == Side::kRight ? FaultTarget::kLegRight : FaultTarget::kLegLeft, config.seed,
+              config.control_period_s),
       heartbeat_(can::leg_node(side)) {}
 
 void LegBoard::on_sync(std::uint32_t tick, const LegVector& angle_rad, const LegVector& rate_rad_s,
@@ -40,6 +43,9 @@ void LegBoard::on_sync(std::uint32_t tick, const LegVector& angle_rad, const Leg
     measured.rate_rad_s[joint] = rate_rad_s[joint] + noise_.sample(sensor_.joint_rate_noise_rad_s);
   }
   measured.torque_nm = torque_nm_;
+  faults_.apply(FaultSignal::kAngle, measured.angle_rad);
+  faults_.apply(FaultSignal::kRate, measured.rate_rad_s);
+  faults_.apply(FaultSignal::kTorque, measured.torque_nm);
   outbox.add(can::encode_leg_state(side_, {.tick = tick, .counter = state_counter_++}, measured, status_));
   heartbeat_.on_sync(tick, outbox);
 }
@@ -52,12 +58,21 @@ can::Rejection LegBoard::on_command(const can::CanFrame& frame, FrameOutbox& out
     return rejection;
   }
   if (!was_synchronised_ || (stamp.tick & 0xFFFFU) != (tick_ & 0xFFFFU)) return can::Rejection::kLate;
-  if (has_command_) return can::Rejection::kRepeated;
+  if (has_heard_two_masters_) {
+    has_command_ = true;
+    silent_steps_ = 0;
+    return can::Rejection::kUnknownIdentifier;
+  }
+  if (has_command_) {
+    if (!std::ranges::equal(frame.bytes(), last_command_.bytes())) stop_obeying(outbox);
+    return can::Rejection::kRepeated;
+  }
   if (const auto rejection = command_watch_.step(stamp.counter); rejection != can::Rejection::kNone) return rejection;
 
   has_command_ = true;
   was_commanded_ = true;
   silent_steps_ = 0;
+  last_command_ = frame;
   queue_.push(step_ + latency_steps_, command);
   if (status_.watchdog_expired) {
     status_.watchdog_expired = false;
@@ -86,6 +101,27 @@ const LegVector& LegBoard::begin_step(const LegVector& rate_rad_s, FrameOutbox& 
     apply(active_.torque_nm);
   }
   return torque_nm_;
+}
+
+void LegBoard::stop_obeying(FrameOutbox& outbox) noexcept {
+  has_heard_two_masters_ = true;
+  queue_.clear();
+  active_ = {};  // damp
+  send_emergency(kEmergencyTwoMasters, outbox);
+}
+
+void LegBoard::restart(FrameOutbox& outbox) noexcept {
+  command_watch_ = {};
+  queue_.clear();
+  active_ = {};
+  torque_nm_ = {};
+  status_ = {.watchdog_expired = false, .torque_limited = false, .is_damping = true};
+  step_ = 0;
+  silent_steps_ = 0;
+  tick_ = 0;
+  was_synchronised_ = has_command_ = was_commanded_ = has_heard_two_masters_ = false;
+  state_counter_ = emergency_counter_ = 0;
+  heartbeat_.restart(outbox);
 }
 
 void LegBoard::apply(const LegVector& wanted_nm) noexcept {

@@ -5,6 +5,7 @@
 
 #include "firmware/can/counter_watch.hpp"
 #include "firmware/can/messages.hpp"
+#include "sim_hw/faults/sensor_faults.hpp"
 #include "sim_hw/nodes/command_queue.hpp"
 #include "sim_hw/nodes/frame_outbox.hpp"
 #include "sim_hw/nodes/heartbeat_sender.hpp"
@@ -23,18 +24,22 @@ inline constexpr double kDampingNmSPerRad = 100.0;
 /// physics steps, and is held until the next. Before the first frame, in mode `kDamp`, and after
 /// `watchdog_s` without a valid frame the board damps its joints. Expiry raises emergency 0x8130;
 /// the next valid frame ends it with 0x0000.
+///
+/// Two different valid frames for one tick come from two masters, and the board cannot know which is the right
+/// one: it drops what it has queued, raises emergency 0x8150, ignores torques and damps until that master is
+/// gone and another SYNC has come. The same frame once more is harmless.
 class LegBoard {
  public:
-  LegBoard(Side, const SimConfig&) noexcept;
+  LegBoard(Side, const SimConfig&);
 
   /// Answers SYNC with the joints as they are; from now on commands must carry this tick.
   void on_sync(std::uint32_t tick, const LegVector& angle_rad, const LegVector& rate_rad_s, FrameOutbox&) noexcept;
 
   /// Judges a command frame: identifier, length, CRC, ranges, tick, counter, and one command a tick. Anything
-  /// but `kNone` leaves the board as it was.
+  /// but `kNone` leaves the board as it was, except a second, different command for the tick.
   [[nodiscard]] can::Rejection on_command(const can::CanFrame&, FrameOutbox&) noexcept;
 
-  /// Whether this tick's command has been accepted.
+  /// Whether this tick's command has come (and was accepted, unless the board heard two masters).
   [[nodiscard]] bool has_command() const noexcept { return has_command_; }
 
   /// Torque frames that never came, by the gaps in their counter.
@@ -52,10 +57,17 @@ class LegBoard {
   /// The master is gone: no torque counts until the next SYNC.
   void release_master() noexcept {
     was_synchronised_ = false;
+    has_heard_two_masters_ = false;
     command_watch_.restart();
   }
 
+  /// Power came back: everything from the beginning but the world, and the noise of its sensors.
+  void restart(FrameOutbox&) noexcept;
+
+  [[nodiscard]] SensorFaults& faults() noexcept { return faults_; }
+
  private:
+  void stop_obeying(FrameOutbox&) noexcept;
   void send_emergency(std::uint16_t code, FrameOutbox&) noexcept;
   void apply(const LegVector& wanted_nm) noexcept;
 
@@ -65,10 +77,12 @@ class LegBoard {
   std::uint64_t latency_steps_;
   std::uint64_t watchdog_steps_;
   NoiseSource noise_;
+  SensorFaults faults_;
   HeartbeatSender heartbeat_;
   can::CounterWatch command_watch_;
   CommandQueue queue_;
   LegCommand active_{};
+  can::CanFrame last_command_{};  ///< the one accepted in this tick
   LegVector torque_nm_{};
   can::LegStatus status_{.watchdog_expired = false, .torque_limited = false, .is_damping = true};
   std::uint64_t step_ = 0;
@@ -77,6 +91,7 @@ class LegBoard {
   bool was_synchronised_ = false;
   bool has_command_ = false;
   bool was_commanded_ = false;
+  bool has_heard_two_masters_ = false;
   std::uint8_t state_counter_ = 0;
   std::uint8_t emergency_counter_ = 0;
 };

@@ -41,7 +41,8 @@ INSTANTIATE_TEST_SUITE_P(
                               {"reflex.mirrored=false", "payload.0.at_s=3.6", "duration_s=22.4"}},
                       Variant{"cosine_timing", {"reflex.timing=nominal_cosine"}},
                       Variant{"exact_inertia", {"payload.0.inertia=exact"}},
-                      Variant{"half_period", {"control_period_s=0.0005", "bus.command_latency_s=0.0005"}}),
+                      Variant{"half_period",
+                              {"control_period_s=0.0005", "bus.command_latency_s=0.0005", "bus.count=2"}}),
     [](const auto& variant) { return std::string(variant.param.name); });
 
 }  // namespace

@@ -29,7 +29,8 @@ class FrameMonkey {
     }
     if (one_in(4)) frame.payload[below(64)] = static_cast<std::uint8_t>(below(256));
     if (one_in(2)) {  // sign it again
-      const bool crc_is_last = frame.identifier >= 0x700 || (frame.identifier > 0x080 && frame.identifier < 0x100);
+      const bool crc_is_last = (frame.identifier >= 0x700 && frame.identifier != kLockstepServedIdentifier) ||
+                               (frame.identifier > 0x080 && frame.identifier < 0x100);
       protect(frame, crc_is_last ? 6 : 0);
     }
     if (one_in(8)) frame.length = static_cast<std::uint8_t>(below(256));
@@ -46,7 +47,7 @@ class FrameMonkey {
                            .counter = static_cast<std::uint8_t>(below(256))};
     const Side side = one_in(2) ? Side::kRight : Side::kLeft;
     const Node node = kNodes[below(kNodes.size())];
-    switch (below(7)) {
+    switch (below(8)) {
       case 0:
         return encode_sync(stamp);
       case 1:
@@ -58,7 +59,9 @@ class FrameMonkey {
       case 4:
         return encode_imu(stamp, {});
       case 5:
-        return encode_heartbeat(node, stamp, {});
+        return encode_heartbeat(node, stamp, {.protocol_version = static_cast<std::uint8_t>(one_in(16) ? 2 : 1)});
+      case 6:
+        return encode_lockstep_served(stamp);
       default:
         return encode_emergency(node, stamp, {});
     }
@@ -110,7 +113,7 @@ void expect_plausible(const ImuSensors& imu) {
 
 TEST(FuzzCan, DecodersLetOnlyPlausibleValuesThrough) {
   FrameMonkey monkey(1);
-  std::array<int, 7> outcomes{};
+  std::array<int, kRejectionCauses> outcomes{};
   for (int i = 0; i < kFrames; ++i) {
     const CanFrame frame = monkey.next(static_cast<std::uint32_t>(i));
     FrameStamp stamp;
@@ -124,7 +127,7 @@ TEST(FuzzCan, DecodersLetOnlyPlausibleValuesThrough) {
     for (const Rejection outcome : {decode_sync(frame, stamp), decode_leg_command(frame, stamp, command),
                                     decode_leg_state(frame, stamp, leg, status), decode_foot_force(frame, stamp, foot),
                                     decode_imu(frame, stamp, imu), decode_heartbeat(frame, stamp, heartbeat),
-                                    decode_emergency(frame, stamp, emergency)}) {
+                                    decode_emergency(frame, stamp, emergency), decode_lockstep_served(frame, stamp)}) {
       ++outcomes[static_cast<std::size_t>(outcome)];
     }
     expect_plausible(leg);

@@ -1,6 +1,7 @@
 """Fixtures: one recorded run for all tests of a session, and a made-up one for the pictures."""
 
 import os
+import shutil
 import subprocess
 from pathlib import Path
 
@@ -52,6 +53,18 @@ def short_run(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def synthetic_run(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A run folder made up from the formulas of the walk."""
     return write_synthetic_run(tmp_path_factory.mktemp("synthetic") / "made_up")
+
+
+@pytest.fixture(scope="session")
+def in_own_network() -> list[str]:
+    """The begin of a command line that runs with a network of its own: a loopback that is down, and no route."""
+    for program in ("unshare", "ip"):
+        assert shutil.which(program), f"{program} is missing; run tools/setup"
+    prefix = ["unshare", "-n"] if os.geteuid() == 0 else ["unshare", "-rn"]
+    tried = subprocess.run([*prefix, "ip", "link", "set", "lo", "up"], capture_output=True, text=True, check=False)
+    if tried.returncode != 0:
+        pytest.skip(f"this machine permits no network namespace: {tried.stderr.strip()}")
+    return prefix
 
 
 @pytest.fixture(scope="session")

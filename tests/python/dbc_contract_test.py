@@ -13,6 +13,7 @@ import pytest
 TREE = Path(__file__).resolve().parents[2]
 DBC = TREE / "firmware" / "can" / "surefoot.dbc"
 GOLDEN = TREE / "tests" / "unit" / "firmware_can" / "golden_frames.hpp"
+FAULT_HPP = TREE / "firmware" / "core" / "safety" / "fault.hpp"
 MESSAGES_HPP = TREE / "firmware" / "can" / "messages.hpp"
 
 DATABASE = cantools.database.load_file(DBC)
@@ -39,7 +40,7 @@ def test_every_message_has_crc_counter_and_tick_on_byte_boundaries(message):
         signal = message.get_signal_by_name(name)
         assert signal.length == bits and signal.start % 8 == 0
     tick = message.get_signal_by_name("tick")
-    assert tick.length == (32 if message.name == "SYNC" else 16)
+    assert tick.length == (32 if message.name in ("SYNC", "LOCKSTEP_SERVED") else 16)
     assert message.get_signal_by_name("crc").start in (0, 48)
 
 
@@ -65,6 +66,7 @@ def test_frames_of_one_kind_have_one_layout():
         families[kind].append((message.length, layout))
     assert {kind: len(members) for kind, members in families.items()} == {
         "SYNC": 1, "EMERGENCY": 6, "LEG_STATE": 2, "FOOT_FORCE": 2, "IMU": 1, "LEG_COMMAND": 2, "HEARTBEAT": 6,
+        "LOCKSTEP_SERVED": 1,
     }
     for kind, members in families.items():
         assert all(member == members[0] for member in members), kind
@@ -73,6 +75,13 @@ def test_frames_of_one_kind_have_one_layout():
 def test_version_is_the_protocol_version_of_the_firmware():
     in_firmware = re.search(r"kProtocolVersion = (\d+);", MESSAGES_HPP.read_text()).group(1)
     assert DATABASE.version == in_firmware
+
+
+def test_the_controllers_emergency_names_every_fault_of_the_firmware():
+    faults = re.findall(r"^  k(\w+) = (\d+),", FAULT_HPP.read_text(), re.MULTILINE)
+    words = {int(number): re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower() for name, number in faults if name != "None"}
+    code = DATABASE.get_message_by_name("EMERGENCY_CONTROLLER").get_signal_by_name("code")
+    assert {int(key) - 0xFF00: str(word) for key, word in code.choices.items() if int(key) >= 0xFF00} == words
 
 
 def test_golden_frames_cover_every_message_and_carry_the_crc_that_python_computes():

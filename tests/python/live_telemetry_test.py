@@ -1,7 +1,5 @@
 """Live telemetry, heard by PyPI's lcm inside a network namespace of its own: no other traffic, nothing left behind."""
 
-import os
-import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -18,18 +16,6 @@ exec "$@"
 """
 _TICKS = 9700  # of SHORT, from power-up to its end
 _EVERY_TICKS = 50  # states and truths: few, for a receive buffer that a busy machine leaves unread for a while
-
-
-@pytest.fixture(scope="module")
-def in_own_network() -> list[str]:
-    """The begin of a command line that runs with a network of its own: a loopback that is down, and no route."""
-    for program in ("unshare", "ip"):
-        assert shutil.which(program), f"{program} is missing; run tools/setup"
-    prefix = ["unshare", "-n"] if os.geteuid() == 0 else ["unshare", "-rn"]
-    tried = subprocess.run([*prefix, "ip", "link", "set", "lo", "up"], capture_output=True, text=True, check=False)
-    if tried.returncode != 0:
-        pytest.skip(f"this machine permits no network namespace: {tried.stderr.strip()}")
-    return prefix
 
 
 @pytest.fixture(scope="module")

@@ -8,8 +8,13 @@ namespace surefoot::cli {
 
 /// Each adds one subcommand that, when it is called, does its work and sets `result`.
 void add_run(CLI::App& app, run::ExitCode& result);
+void add_faults(CLI::App& app, run::ExitCode& result);
+void add_firmware(CLI::App& app, run::ExitCode& result);
+void add_sim(CLI::App& app, run::ExitCode& result);
 void add_replay(CLI::App& app, run::ExitCode& result);
 void add_keys(CLI::App& app, run::ExitCode& result);
 void add_states(CLI::App& app, run::ExitCode& result);
+void add_bus(CLI::App& app, run::ExitCode& result);
+void add_doctor(CLI::App& app, run::ExitCode& result);
 
 }  // namespace surefoot::cli

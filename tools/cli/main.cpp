@@ -46,9 +46,14 @@ int main(int argc, char** argv) {
       "65 bad input, 69 something the machine lacks (disk, permission, multicast route), 70 a bug, 130 interrupted.");
   ExitCode result = ExitCode::kBug;
   surefoot::cli::add_run(app, result);
+  surefoot::cli::add_faults(app, result);
+  surefoot::cli::add_firmware(app, result);
+  surefoot::cli::add_sim(app, result);
   surefoot::cli::add_replay(app, result);
   surefoot::cli::add_keys(app, result);
   surefoot::cli::add_states(app, result);
+  surefoot::cli::add_bus(app, result);
+  surefoot::cli::add_doctor(app, result);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

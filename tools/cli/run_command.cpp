@@ -1,29 +1,25 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <charconv>
-#include <csignal>
 #include <ctime>
 #include <memory>
 #include <string>
 #include <system_error>
 #include <vector>
 
+#include "tools/cli/bus_options.hpp"
 #include "tools/cli/commands.hpp"
 #include "tools/run/lockstep_run.hpp"
 #include "tools/run/run_folder.hpp"
+#include "tools/run/two_process_run.hpp"
 #include "tools/scenario/scenario.hpp"
 
 namespace surefoot::cli {
 namespace {
 
-std::atomic<bool> stop_requested{false};
-
 constexpr double kSlowestPace = 0.01;  // a stop is heard between two ticks
 constexpr double kFastestPace = 1000.0;
-
-extern "C" void request_stop(int) { stop_requested.store(true); }
 
 struct RunArguments {
   std::string scenario_file;
@@ -34,6 +30,9 @@ struct RunArguments {
   bool is_unrecorded = false;
   bool overwrites = false;
   double pace = 0.0;
+  std::string bus;
+  std::string clock = "lockstep";
+  int fifo_priority = 0;
 };
 
 std::filesystem::path default_folder(const RunArguments& arguments) {
@@ -60,6 +59,32 @@ void show_progress(const run::Progress& progress) {
   std::fflush(stderr);
 }
 
+void print(const run::Verdict& verdict, const RunArguments& arguments, const std::filesystem::path& folder) {
+  if (arguments.is_json) {
+    fmt::print("{}", run::to_json(verdict));
+    return;
+  }
+  fmt::print("{}", run::to_text(verdict));
+  if (!folder.empty()) fmt::print("  recorded     {0}\n  next         tools/surefoot plot {0}\n", folder.string());
+}
+
+/// Firmware and robot as two processes on a bus of the operating system.
+run::ExitCode run_on_bus(const RunArguments& arguments, scenario::Scenario scenario) {
+  run::TwoProcessOptions options;
+  options.program = std::filesystem::read_symlink("/proc/self/exe");
+  options.folder = folder_of(arguments);
+  options.bus = arguments.bus;
+  options.is_wall_clock = arguments.clock == "wall";
+  options.fifo_priority = arguments.fifo_priority;
+  options.stop = &stop_requested();
+  if (isatty(STDERR_FILENO) == 1) {
+    options.on_progress = [](double elapsed_s) { fmt::print(stderr, "\r{:8.1f} s on the bus\033[K", elapsed_s); };
+  }
+  const run::Verdict verdict = run::run_two_processes(std::move(scenario), options);
+  print(verdict, arguments, options.folder);
+  return run::exit_code(verdict.outcome);
+}
+
 run::ExitCode run_scenario(const RunArguments& arguments) {
   scenario::Scenario scenario;
   try {
@@ -70,28 +95,20 @@ run::ExitCode run_scenario(const RunArguments& arguments) {
     return run::ExitCode::kBadInput;
   }
 
-  std::signal(SIGINT, request_stop);
-  std::signal(SIGTERM, request_stop);
-  std::signal(SIGXFSZ, SIG_IGN);  // a file at its size limit shall be a write error with a message, not a kill
+  hear_stop_signals();
+  if (!arguments.bus.empty()) return with_error_messages([&] { return run_on_bus(arguments, std::move(scenario)); });
 
   run::RunOptions options;
   options.is_live = arguments.is_live;
   options.pace = arguments.pace;
-  options.stop = &stop_requested;
+  options.stop = &stop_requested();
   const bool is_interactive = isatty(STDERR_FILENO) == 1;
   if (is_interactive) options.on_progress = show_progress;
   try {
     if (!arguments.is_unrecorded) options.folder = folder_of(arguments);
     const run::Verdict verdict = run::run_lockstep(std::move(scenario), options);
     if (is_interactive) fmt::print(stderr, "\r\033[K");
-    if (arguments.is_json) {
-      fmt::print("{}", run::to_json(verdict));
-    } else {
-      fmt::print("{}", run::to_text(verdict));
-      if (!options.folder.empty()) {
-        fmt::print("  recorded     {0}\n  next         tools/surefoot plot {0}\n", options.folder.string());
-      }
-    }
+    print(verdict, arguments, options.folder);
     return run::exit_code(verdict.outcome);
   } catch (const run::RecordingFailure& error) {
     fmt::print(stderr, "{}{}\n", is_interactive ? "\r\033[K" : "", error.what());
@@ -139,6 +156,21 @@ void add_run(CLI::App& app, run::ExitCode& result) {
                    "Simulated seconds per wall second, 0.01 to 1000; 1 to watch live, 0 (default) as fast as it goes")
       ->type_name("SPEED")
       ->check(refuse_pace);
+  CLI::Option* bus =
+      command
+          ->add_option("--bus", arguments->bus,
+                       "Run firmware and robot as two processes that meet on this bus only: socketcan:vcan0,\n"
+                       "socketcan:vcan0,vcan1 (one bus a leg), udp. Without it: one process, bus in memory")
+          ->type_name("ADDRESS")
+          ->check(refuse_empty);
+  bus->excludes("--live")->excludes("--pace")->excludes("--no-record");
+  command->add_option("--clock", arguments->clock, "With --bus: lockstep (default) or wall")
+      ->check(CLI::IsMember({"lockstep", "wall"}))
+      ->needs(bus);
+  command
+      ->add_option("--priority", arguments->fifo_priority, "With --bus: SCHED_FIFO priority of the firmware, 1 to 99")
+      ->check(CLI::Range(1, 99))
+      ->needs(bus);
   command->footer(
       "Ctrl-C ends a run early; what was recorded until then is kept and can be plotted and replayed.\n"
       "Exit codes: 0 the verdict holds, 2 the robot fell or a limit broke, 3 a latched fault, 64 usage,\n"
@@ -148,6 +180,7 @@ void add_run(CLI::App& app, run::ExitCode& result) {
       "  surefoot run tools/scenarios/no_payload.toml --json\n"
       "  surefoot run --set reflex.method=off                 # exit code 2: the robot falls\n"
       "  surefoot run --set payload.0.mass_kg=10 --out runs/ten\n"
+      "  tools/with-vcan tools/surefoot run --bus socketcan:vcan0    # two processes over SocketCAN\n"
       "  surefoot run --live --pace 1                         # and `lcm-logger` beside it\n"
       "All keys with units, ranges and defaults: surefoot keys");
   command->callback([arguments, &result] { result = run_scenario(*arguments); });

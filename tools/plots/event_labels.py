@@ -19,8 +19,11 @@ _WORDS = {
     5: "step restored",
     6: "walks on",
     7: "payload seen",
+    8: "stop",
     16: "+{value:.3g} kg",
     17: "fell",
+    18: "fault[{value:.0f}] begins",
+    19: "fault[{value:.0f}] ends",
     32: "fault {value:.0f}",
     33: "reach lost",
 }

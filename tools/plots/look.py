@@ -20,6 +20,7 @@ PHASES = {
     4: ("shifting", "#BFE0F5"),
     5: ("restoring", "#BFE8D6"),
     6: ("resting", "#EFD8E6"),
+    7: ("stopped", "#D9C7C7"),
 }
 
 DOTS_PER_INCH = 110

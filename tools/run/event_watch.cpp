@@ -1,8 +1,44 @@
 #include "tools/run/event_watch.hpp"
 
+#include <bit>
+
 #include "surefoot/event_t.hpp"
 
 namespace surefoot::run {
+namespace {
+
+constexpr const char* kPayloadSeen = "payload_seen";
+constexpr const char* kPayloadAttached = "payload_attached";
+constexpr const char* kFell = "fell";
+constexpr const char* kFaultInjected = "fault_injected";
+constexpr const char* kFaultEnded = "fault_ended";
+constexpr const char* kReachLost = "reach_lost";
+
+}  // namespace
+
+const char* event_name(std::int8_t code, double value) noexcept {
+  for (const decision::ReflexEvent event : decision::kReflexEvents) {
+    if (code == static_cast<std::int8_t>(event)) return decision::name(event);
+  }
+  switch (code) {
+    case event_t::PAYLOAD_SEEN:
+      return kPayloadSeen;
+    case event_t::PAYLOAD_ATTACHED:
+      return kPayloadAttached;
+    case event_t::FELL:
+      return kFell;
+    case event_t::FAULT_INJECTED:
+      return kFaultInjected;
+    case event_t::FAULT_ENDED:
+      return kFaultEnded;
+    case event_t::FAULT_LATCHED:
+      return safety::name(static_cast<safety::Fault>(value));
+    case event_t::REACH_LOST:
+      return kReachLost;
+    default:
+      return "unknown";
+  }
+}
 
 std::span<const RunEvent> EventWatch::observe(const TickOutput& output, const sim_hw::GroundTruth& truth) noexcept {
   count_ = 0;
@@ -24,13 +60,23 @@ std::span<const RunEvent> EventWatch::observe_firmware(const TickOutput& output)
 }
 
 void EventWatch::watch(const sim_hw::GroundTruth& truth) noexcept {
+  watch_faults(truth.faults_active);
   if (truth.payloads_hung != payloads_hung_) {
-    add(event_t::PAYLOAD_ATTACHED, "payload_attached", truth.payload_kg - payload_kg_);
+    add(event_t::PAYLOAD_ATTACHED, kPayloadAttached, truth.payload_kg - payload_kg_);
   }
-  if (truth.has_fallen && !has_fallen_) add(event_t::FELL, "fell", truth.pitch_rad);
+  if (truth.has_fallen && !has_fallen_) add(event_t::FELL, kFell, truth.pitch_rad);
   payloads_hung_ = truth.payloads_hung;
   payload_kg_ = truth.payload_kg;
   has_fallen_ = truth.has_fallen;
+}
+
+void EventWatch::watch_faults(std::uint32_t active) noexcept {
+  for (std::uint32_t changed = active ^ faults_active_; changed != 0; changed &= changed - 1) {
+    const int place = std::countr_zero(changed);
+    const bool is_on = ((active >> place) & 1U) != 0;
+    add(is_on ? event_t::FAULT_INJECTED : event_t::FAULT_ENDED, is_on ? kFaultInjected : kFaultEnded, place);
+  }
+  faults_active_ = active;
 }
 
 void EventWatch::watch(const TickOutput& output) noexcept {
@@ -38,10 +84,10 @@ void EventWatch::watch(const TickOutput& output) noexcept {
   if (decision.event) {
     add(static_cast<std::int8_t>(*decision.event), decision::name(*decision.event), decision.time_in_phase_s);
   } else if (decision.is_payload_seen) {
-    add(event_t::PAYLOAD_SEEN, "payload_seen", output.estimate.filtered_force_n);
+    add(event_t::PAYLOAD_SEEN, kPayloadSeen, output.estimate.filtered_force_n);
   }
   if (!output.joint_reference.is_reachable && is_reachable_) {
-    add(event_t::REACH_LOST, "reach_lost", decision.reference_x_body_m);
+    add(event_t::REACH_LOST, kReachLost, decision.reference_x_body_m);
   }
   if (output.fault != fault_) {
     add(event_t::FAULT_LATCHED, safety::name(output.fault), static_cast<double>(output.fault));

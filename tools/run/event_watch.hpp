@@ -6,6 +6,7 @@
 #include <span>
 
 #include "firmware/core/controller.hpp"
+#include "sim_hw/faults/fault_config.hpp"
 #include "sim_hw/ground_truth.hpp"
 
 namespace surefoot::run {
@@ -16,6 +17,9 @@ struct RunEvent {
   const char* name = "";
   double value = 0.0;
 };
+
+/// The name that belongs to a recorded event; "unknown" for a code of another version.
+[[nodiscard]] const char* event_name(std::int8_t code, double value) noexcept;
 
 /// Turns what changes from tick to tick into events, for telemetry and verdict alike. Firmware and robot may
 /// live in two processes: each then watches its own half.
@@ -34,13 +38,15 @@ class EventWatch {
  private:
   void watch(const sim_hw::GroundTruth& truth) noexcept;
   void watch(const TickOutput& output) noexcept;
+  void watch_faults(std::uint32_t active) noexcept;
   void add(std::int8_t code, const char* name, double value) noexcept { events_[count_++] = {code, name, value}; }
 
-  std::array<RunEvent, 6> events_{};  ///< at most one of each kind in a tick
+  std::array<RunEvent, 6 + sim_hw::kMaxFaults> events_{};  ///< at most one of each kind, or of each fault, in a tick
   std::size_t count_ = 0;
   int payloads_hung_ = 0;
   double payload_kg_ = 0.0;
   bool has_fallen_ = false;
+  std::uint32_t faults_active_ = 0;
   bool is_reachable_ = true;
   safety::Fault fault_ = safety::Fault::kNone;
 };

@@ -7,24 +7,22 @@
 #include <memory>
 #include <numbers>
 #include <span>
-#include <system_error>
 #include <thread>
 #include <utility>
 
-#include "firmware/core/decision/tick_time.hpp"
-#include "firmware/core/gait/stance.hpp"
-#include "firmware/core/kinematics/leg_kinematics.hpp"
 #include "firmware/host/allocation_guard.hpp"
 #include "firmware/host/firmware_node.hpp"
-#include "firmware/host/live_publisher.hpp"
 #include "firmware/host/memory_bus.hpp"
 #include "firmware/host/run_recorder.hpp"
 #include "firmware/host/tick_histogram.hpp"
-#include "sim_hw/bus/frame_bits.hpp"
 #include "sim_hw/simulated_robot.hpp"
+#include "tools/run/bus_watch.hpp"
 #include "tools/run/event_watch.hpp"
 #include "tools/run/judge.hpp"
+#include "tools/run/open_recorder.hpp"
 #include "tools/run/run_folder.hpp"
+#include "tools/run/schedule.hpp"
+#include "tools/run/standing_pose.hpp"
 #include "tools/run/telemetry_messages.hpp"
 
 namespace surefoot::run {
@@ -43,65 +41,6 @@ std::int64_t elapsed_ns(WallClock::time_point start, WallClock::time_point end) 
   return std::chrono::duration_cast<std::chrono::nanoseconds>(end - start).count();
 }
 
-/// Everything that crosses the bus is weighed, and recorded when there is a recorder.
-class BusWatch final : public host::BusTap {
- public:
-  explicit BusWatch(host::RunRecorder* recorder) : recorder_(recorder) {}
-
-  void on_frame(const can::CanFrame& frame) noexcept override {
-    load_.add(frame);
-    ++frames_;
-    if (recorder_ != nullptr) recorder_->on_frame(frame);
-  }
-
-  [[nodiscard]] double load_percent(double elapsed_s) const noexcept {
-    return load_.percent(static_cast<std::uint64_t>(elapsed_s * 1e9));
-  }
-  [[nodiscard]] std::uint64_t frames() const noexcept { return frames_; }
-
- private:
-  host::RunRecorder* recorder_;
-  sim_hw::BusLoad load_{};
-  std::uint64_t frames_ = 0;
-};
-
-FootReference standing(const gait::WalkParameters& walk) {
-  return gait::stance(walk, {walk.reference_x_body_m, walk.reference_x_body_m});
-}
-
-/// Time zero on a whole tick, and the number of ticks until the scenario's end.
-struct Schedule {
-  std::int64_t zero_tick;
-  std::int64_t ticks;
-};
-
-Schedule schedule_of(const scenario::Scenario& scenario) {
-  const ControllerConfig& firmware = scenario.firmware;
-  const double zero_s = decision::time_zero_s(firmware.walk, firmware.reflex, firmware.detector);
-  const std::int64_t zero_tick = decision::first_tick_at(zero_s, firmware.period_s);
-  return {zero_tick, zero_tick + decision::first_tick_at(scenario.duration_s, firmware.period_s)};
-}
-
-std::unique_ptr<host::RunRecorder> open_recorder(const scenario::Scenario& scenario, const RunOptions& options) {
-  if (options.folder.empty()) return nullptr;
-  create_run_folder(options.folder);
-  host::RecorderOptions files;
-  files.bus_log = options.folder / "bus.log";
-  files.telemetry_log = options.folder / "telemetry.lcmlog";
-  files.power_up_before_zero_us = std::llround(scenario.sim.time_zero_s * 1e6);
-  if (options.is_live) files.live_provider = host::LivePublisher::kLocalProvider;
-  try {
-    auto recorder = std::make_unique<host::RunRecorder>(files);
-    write_whole_file(options.folder / "scenario.toml", scenario::to_toml(scenario));
-    return recorder;
-  } catch (const std::system_error& error) {
-    throw RecordingFailure(
-        fmt::format("{}\n  remedy: free disk space, or name a folder that you may write with --out", error.what()));
-  } catch (const std::runtime_error& error) {  // live telemetry; it says what to do
-    throw RecordingFailure(error.what());
-  }
-}
-
 /// One run from power-up to verdict: owns every part of it.
 class LockstepRun {
  public:
@@ -113,11 +52,10 @@ class LockstepRun {
         period_s_(scenario.firmware.period_s),
         time_zero_s_(scenario.sim.time_zero_s),
         telemetry_every_(scenario.telemetry.every_ticks),
-        watch_(recorder),
+        watch_(scenario.sim, recorder),
         bus_(&watch_),
         firmware_(scenario.firmware),
-        robot_(scenario.sim,
-               kinematics::inverse(scenario.firmware.geometry, standing(scenario.firmware.walk)).angle_rad),
+        robot_(scenario.sim, standing_pose(scenario.firmware)),
         judge_(scenario) {}
 
   Verdict run() {
@@ -149,7 +87,8 @@ class LockstepRun {
     verdict.frames_lost = frames_lost();
     constexpr auto kLate = static_cast<std::size_t>(can::Rejection::kLate);
     verdict.frames_late = firmware_.counters().rejected[kLate] + robot_.counters().rejected[kLate];
-    verdict.bus_load_percent = watch_.load_percent(static_cast<double>(tick_) * period_s_);
+    verdict.bus = watch_.finish(tick_);
+    verdict.bus_load_percent = watch_.load_percent(tick_);
     return verdict;
   }
 
@@ -240,9 +179,8 @@ void LockstepRun::record(const TickOutput& output, std::span<const RunEvent> eve
     recorder_->push(host::Channel::kSimulatorTruth, utime_us, truth_message(utime_us, output.tick, robot_.truth()));
   }
   if (output.tick % kBusStatisticsTicks == kBusStatisticsTicks - 1 || judge_.is_over()) {
-    recorder_->push(
-        host::Channel::kBusStatistics, utime_us,
-        bus_message(utime_us, output.tick, firmware_.counters(), watch_.load_percent((output.tick + 1) * period_s_)));
+    recorder_->push(host::Channel::kBusStatistics, utime_us,
+                    bus_message(utime_us, output.tick, firmware_.counters(), watch_.load_percent(output.tick + 1)));
   }
   if (options_.is_live && output.tick % kTimingStatisticsTicks == kTimingStatisticsTicks - 1) {
     recorder_->push(host::Channel::kTimingStatistics, utime_us, timing_message(utime_us, output.tick, tick_times_));
@@ -253,8 +191,8 @@ void LockstepRun::record(const TickOutput& output, std::span<const RunEvent> eve
 
 Verdict run_lockstep(scenario::Scenario scenario, const RunOptions& options) {
   const Schedule schedule = schedule_of(scenario);
-  scenario.sim.time_zero_s = static_cast<double>(schedule.zero_tick) * scenario.firmware.period_s;
-  const std::unique_ptr<host::RunRecorder> recorder = open_recorder(scenario, options);
+  scenario = scheduled(std::move(scenario));
+  const std::unique_ptr<host::RunRecorder> recorder = open_recorder(scenario, options.folder, options.is_live);
   LockstepRun run(scenario, options, recorder.get(), schedule);
   Verdict verdict = run.run();
   if (!recorder) return verdict;

@@ -3,8 +3,8 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
-#include <stdexcept>
 
+#include "tools/run/run_folder.hpp"
 #include "tools/run/verdict.hpp"
 #include "tools/scenario/scenario.hpp"
 
@@ -26,12 +26,6 @@ struct RunOptions {
   double pace = 0.0;                                 ///< simulated seconds per wall second; 0: as fast as it goes
   const std::atomic<bool>* stop = nullptr;           ///< set from outside to end the run early
   std::function<void(const Progress&)> on_progress;  ///< called about four times a second, between ticks
-};
-
-/// The run cannot be recorded: no permission, disk full, an earlier run in the way. The message names path and remedy.
-class RecordingFailure : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
 };
 
 /// Runs firmware and simulated robot in lockstep on a memory bus until the scenario ends, the robot

@@ -54,11 +54,8 @@ bool are_equal(const can::CanFrame& left, const can::CanFrame& right) {
   return left.identifier == right.identifier && std::ranges::equal(left.bytes(), right.bytes());
 }
 
-void run_tick(host::FirmwareNode& firmware, RecordedTick& tick, ReplayResult& result) {
-  firmware.begin_tick(tick);
-  static_cast<void>(firmware.collect(tick));
-  firmware.finish_tick(tick);
-  ++result.ticks;
+/// Compares what the firmware sends now with what the controller sent then.
+void compare(RecordedTick& tick, ReplayResult& result) {
   result.controller_frames += tick.from_controller.size();
   const std::size_t count = std::max(tick.sent.size(), tick.from_controller.size());
   for (std::size_t i = 0; i < count; ++i) {
@@ -69,9 +66,26 @@ void run_tick(host::FirmwareNode& firmware, RecordedTick& tick, ReplayResult& re
     if (result.first_difference.empty()) {
       const std::uint16_t identifier =
           i < tick.from_controller.size() ? tick.from_controller[i].identifier : tick.sent[i].identifier;
-      result.first_difference = fmt::format("tick {}, identifier 0x{:03X}", result.ticks - 1, identifier);
+      result.first_difference = fmt::format("tick {}, identifier 0x{:03X}", result.ticks, identifier);
     }
   }
+}
+
+/// Before tick 0: the controller's announcements among those of the nodes.
+void run_start_up(host::FirmwareNode& firmware, RecordedTick& start_up, ReplayResult& result) {
+  firmware.listen(start_up);
+  for (std::size_t i = 0; i < start_up.from_controller.size(); ++i) {
+    firmware.announce(start_up, can::NodeState::kPreOperational);
+  }
+  compare(start_up, result);
+}
+
+void run_tick(host::FirmwareNode& firmware, RecordedTick& tick, ReplayResult& result) {
+  firmware.begin_tick(tick);
+  static_cast<void>(firmware.collect(tick));
+  firmware.finish_tick(tick);
+  compare(tick, result);
+  ++result.ticks;
 }
 
 void require_file(const std::filesystem::path& path) {
@@ -96,7 +110,11 @@ ReplayResult replay(const std::filesystem::path& run_folder) {
   bool has_torques = false;
   while (const std::optional<LoggedFrame> logged = log.next()) {
     if (logged->frame.identifier == can::kSyncIdentifier) {
-      if (!is_first) run_tick(firmware, tick, result);
+      if (is_first) {
+        run_start_up(firmware, tick, result);
+      } else {
+        run_tick(firmware, tick, result);
+      }
       is_first = false;
       has_torques = false;
       tick.clear();

@@ -7,8 +7,6 @@
 #include <fstream>
 #include <system_error>
 
-#include "tools/run/lockstep_run.hpp"
-
 namespace surefoot::run {
 namespace {
 

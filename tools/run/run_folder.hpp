@@ -1,9 +1,16 @@
 #pragma once
 
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 
 namespace surefoot::run {
+
+/// The run cannot be recorded: no permission, disk full, an earlier run in the way. The message names path and remedy.
+class RecordingFailure : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 /// Makes the folder of a run, with its parents. The verdict of an earlier run in it goes at once: it would
 /// speak of a log that is no more.

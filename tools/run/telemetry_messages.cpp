@@ -51,6 +51,8 @@ controller_state_t state_message(std::int64_t utime_us, const TickOutput& output
     message.node_age_ticks[node] = static_cast<std::int32_t>(nodes[node].age_ticks);  // kNeverHeard reads -1
   }
   message.fault = static_cast<std::int8_t>(output.fault);
+  message.safe_state = static_cast<std::int8_t>(output.safe_state);
+  message.is_waiting_for_posture = output.is_waiting_for_posture ? 1 : 0;
   message.is_reachable = output.joint_reference.is_reachable ? 1 : 0;
   return message;
 }
@@ -70,6 +72,7 @@ simulator_truth_t truth_message(std::int64_t utime_us, std::uint32_t tick, const
   copy(truth.rate_rad_s, message.rate_rad_s);
   copy(truth.torque_nm, message.torque_nm);
   message.zmp_x_body_m = truth.zmp_x_body_m;
+  message.payloads_hung = truth.payloads_hung;
   message.payload_kg = truth.payload_kg;
   message.slip_m = truth.slip_m;
   message.has_fallen = truth.has_fallen ? 1 : 0;
@@ -103,6 +106,24 @@ timing_statistics_t timing_message(std::int64_t utime_us, std::uint32_t tick,
   return message;
 }
 
+timing_statistics_t timing_message(std::int64_t utime_us, std::uint32_t tick, const host::LoopReport& loop) noexcept {
+  timing_statistics_t message{};
+  message.utime = utime_us;
+  message.tick = tick;
+  message.tick_p50_us = loop.compute.p50_us;
+  message.tick_p999_us = loop.compute.p999_us;
+  message.tick_max_us = loop.compute.max_us;
+  message.wake_p50_us = loop.wake_up.p50_us;
+  message.wake_p999_us = loop.wake_up.p999_us;
+  message.wake_max_us = loop.wake_up.max_us;
+  message.overruns = loop.overruns;
+  message.minor_page_faults = loop.usage.minor_page_faults;
+  message.major_page_faults = loop.usage.major_page_faults;
+  message.voluntary_switches = loop.usage.voluntary_switches;
+  message.involuntary_switches = loop.usage.involuntary_switches;
+  return message;
+}
+
 event_t event_message(std::int64_t utime_us, std::uint32_t tick, std::int8_t code, const char* name,
                       double value) noexcept {
   event_t message{};
@@ -112,6 +133,37 @@ event_t event_message(std::int64_t utime_us, std::uint32_t tick, std::int8_t cod
   message.value = value;
   std::memcpy(message.name, name, std::min(std::strlen(name), sizeof message.name - 1));
   return message;
+}
+
+TickOutput output_of(const controller_state_t& message) noexcept {
+  TickOutput output;
+  output.tick = static_cast<std::uint32_t>(message.tick);
+  output.decision.phase = static_cast<decision::ReflexPhase>(message.phase);
+  output.decision.walk_phase_s = message.walk_phase_s;
+  output.decision.threshold_n = message.threshold_n;
+  output.joint_reference.is_reachable = message.is_reachable != 0;
+  output.fault = static_cast<safety::Fault>(message.fault);
+  return output;
+}
+
+sim_hw::GroundTruth truth_of(const simulator_truth_t& message) noexcept {
+  sim_hw::GroundTruth truth;
+  truth.time_s = 1e-6 * static_cast<double>(message.utime);
+  for (std::size_t axis = 0; axis < 3; ++axis) truth.body_position_world_m[axis] = message.body_position_world_m[axis];
+  truth.roll_rad = message.roll_rad;
+  truth.pitch_rad = message.pitch_rad;
+  truth.yaw_rad = message.yaw_rad;
+  for (const Side side : kSides) {
+    for (std::size_t joint = 0; joint < kJointsPerLeg; ++joint) {
+      truth.torque_nm[index(side)][joint] = message.torque_nm[index(side)][joint];
+    }
+  }
+  truth.zmp_x_body_m = message.zmp_x_body_m;
+  truth.payloads_hung = message.payloads_hung;
+  truth.payload_kg = message.payload_kg;
+  truth.slip_m = message.slip_m;
+  truth.has_fallen = message.has_fallen != 0;
+  return truth;
 }
 
 }  // namespace surefoot::run

@@ -14,6 +14,24 @@ double rounded(double value, double step) { return std::round(value / step) * st
 
 Json json_of(const Range& range) { return {{"min", range.min}, {"max", range.max}}; }
 
+Json json_of(const BusTraffic& bus) {
+  Json streams = Json::array();
+  for (const StreamTiming& stream : bus.streams) {
+    streams.push_back({{"identifier", fmt::format("0x{:03X}", stream.identifier)},
+                       {"name", stream.name},
+                       {"frames", stream.frames},
+                       {"worst_case_us", stream.worst_case_us ? Json(*stream.worst_case_us) : Json(nullptr)},
+                       {"observed_us", stream.observed_us}});
+  }
+  return {{"load_percent", bus.load_percent},
+          {"frames", bus.frames},
+          {"nominal_bits", bus.nominal_bits},
+          {"data_bits", bus.data_bits},
+          {"busy_ns", bus.busy_ns},
+          {"elapsed_ns", bus.elapsed_ns},
+          {"identifiers", streams}};
+}
+
 std::string event_time_line(const Verdict& verdict) {
   std::string lines;
   for (std::size_t i = 0; i < verdict.events.size(); ++i) {
@@ -66,6 +84,8 @@ std::string to_json(const Verdict& verdict) {
   for (std::size_t joint = 0; joint < kJointsPerLeg; ++joint) {
     peaks[kLegJointNames[joint]] = rounded(verdict.peak_torque_nm[joint], 1e-3);
   }
+  Json buses = Json::array();
+  for (const BusTraffic& bus : verdict.bus) buses.push_back(json_of(bus));
   const Json json{
       {"verdict", name(verdict.outcome)},
       {"reason", verdict.reason},
@@ -96,6 +116,7 @@ std::string to_json(const Verdict& verdict) {
       {"frames_lost", verdict.frames_lost},
       {"frames_late", verdict.frames_late},
       {"bus_load_percent", verdict.bus_load_percent},
+      {"bus", buses},
   };
   return json.dump(2) + "\n";
 }

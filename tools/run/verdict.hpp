@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,26 @@ struct TimedEvent {
   double time_s = 0.0;
 };
 
+/// One identifier on one bus.
+struct StreamTiming {
+  std::uint16_t identifier = 0;
+  const char* name = "";  ///< as in surefoot.dbc
+  std::uint64_t frames = 0;
+  std::optional<double> worst_case_us;  ///< from queued to the end of the frame, by analysis; nothing: without bound
+  double observed_us = 0.0;             ///< the largest of the run
+};
+
+/// What crossed one bus, bit by bit.
+struct BusTraffic {
+  double load_percent = 0.0;
+  std::uint64_t frames = 0;
+  std::uint64_t nominal_bits = 0;  ///< at the nominal bit rate, stuff bits and intermission included
+  std::uint64_t data_bits = 0;     ///< at the data bit rate
+  std::uint64_t busy_ns = 0;
+  std::int64_t elapsed_ns = 0;
+  std::vector<StreamTiming> streams;
+};
+
 /// What a run is judged by. Angles, torques and slip count from the scenario's time zero.
 struct Verdict {
   Outcome outcome = Outcome::kWalked;
@@ -75,7 +96,8 @@ struct Verdict {
   std::uint64_t frames_lost = 0;  ///< refused, rejected or missing on either side, or not recorded; a damaged frame
                                   ///< counts when it arrives and again as a gap
   std::uint64_t frames_late = 0;
-  double bus_load_percent = 0.0;
+  double bus_load_percent = 0.0;  ///< of two buses that with the most
+  std::vector<BusTraffic> bus;
 };
 
 /// As `verdict.json` keeps it, and `--json` prints it.

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "sim_hw/bus/bus_budget.hpp"
 #include "sim_hw/config_check.hpp"
+#include "sim_hw/faults/fault_check.hpp"
 #include "sim_hw/nodes/command_queue.hpp"
 #include "tools/scenario/field_table.hpp"
 
@@ -148,6 +150,37 @@ void check_latency(const Scenario& scenario, std::vector<Finding>& findings) {
                       "lower bus.command_latency_s"});
 }
 
+/// A rate of which a bit lasts a whole number of nanoseconds, as the bus model counts them.
+void check_bit_rate(const char* key, double rate_hz, std::vector<Finding>& findings) {
+  const double bit_ns = 1e9 / rate_hz;
+  if (std::abs(bit_ns - std::round(bit_ns)) < 1e-6) return;
+  findings.push_back(
+      {{key},
+       fmt::format("{} is {}; expected a rate of which a bit lasts a whole number of nanoseconds, not {:.6g}", key,
+                   rate_hz, bit_ns),
+       "take 1e9 divided by a whole number, e.g. 1e6, 2e6, 4e6, 5e6 or 8e6"});
+}
+
+void check_bus(const Scenario& scenario, std::vector<Finding>& findings) {
+  const sim_hw::BusConfig& bus = scenario.sim.bus;
+  const std::size_t findings_before = findings.size();
+  check_bit_rate("bus.nominal_bit_rate_hz", bus.nominal_bit_rate_hz, findings);
+  check_bit_rate("bus.data_bit_rate_hz", bus.data_bit_rate_hz, findings);
+  if (bus.data_bit_rate_hz < bus.nominal_bit_rate_hz) {
+    findings.push_back({{"bus.data_bit_rate_hz", "bus.nominal_bit_rate_hz"},
+                        fmt::format("bus.data_bit_rate_hz is {}; expected bus.nominal_bit_rate_hz = {} or more",
+                                    bus.data_bit_rate_hz, bus.nominal_bit_rate_hz),
+                        "raise bus.data_bit_rate_hz: the data phase is the fast one"});
+  }
+  if (findings.size() > findings_before) return;
+  if (const auto refused = sim_hw::refuse_overload(bus, scenario.firmware.period_s)) {
+    findings.push_back({{"control_period_s", "bus.count", "bus.data_bit_rate_hz", "bus.nominal_bit_rate_hz",
+                         "bus.node_latency_s", "bus.node_jitter_s", "bus.compute_s"},
+                        refused->statement,
+                        refused->remedy});
+  }
+}
+
 void check_shared_numbers(const Scenario& scenario, std::vector<Finding>& findings) {
   Scenario shared = scenario;
   share_numbers(shared);
@@ -178,6 +211,35 @@ void check_simulator(const Scenario& scenario, std::vector<Finding>& findings) {
   }
 }
 
+/// Ranges of an array of tables, and their number.
+template <typename Element>
+void check_elements(const std::string& array_name, std::vector<Element>& elements, std::size_t max,
+                    std::vector<Finding>& findings) {
+  Element default_element;
+  const std::vector<Field> defaults = fields(default_element);
+  for (std::size_t place = 0; place < elements.size(); ++place) {
+    const std::vector<Field> table = fields(elements[place]);
+    for (std::size_t i = 0; i < table.size(); ++i) {
+      check_field(table[i], element_key(array_name, place, table[i].key), value_text(defaults[i]), findings);
+    }
+  }
+  if (elements.size() > max) {
+    findings.push_back({{array_name},
+                        fmt::format("{} has {} tables; expected at most {}", array_name, elements.size(), max),
+                        fmt::format("remove some of the [[{}]] tables", array_name)});
+  }
+}
+
+/// Kinds of fault that their target, signal or value cannot have.
+void check_faults(const Scenario& scenario, std::vector<Finding>& findings) {
+  for (std::size_t place = 0; place < scenario.sim.faults.size(); ++place) {
+    const auto problem = sim_hw::find_problem(scenario.sim.faults[place]);
+    if (!problem) continue;
+    const std::string key = element_key("fault", place, problem->field);
+    findings.push_back({{key, element_key("fault", place, "kind")}, key + " " + problem->statement, problem->remedy});
+  }
+}
+
 }  // namespace
 
 Finding refusal(const Field& field, const std::string& key, const std::string& value, const std::string& expected,
@@ -197,21 +259,8 @@ std::vector<Finding> check_ranges(const Scenario& scenario) {
   for (std::size_t i = 0; i < table.size(); ++i) {
     check_field(table[i], table[i].key, value_text(default_table[i]), findings);
   }
-  sim_hw::PayloadConfig default_payload;
-  const std::vector<Field> default_payload_table = fields(default_payload);
-  for (std::size_t place = 0; place < checked.sim.payloads.size(); ++place) {
-    const std::vector<Field> payload_table = fields(checked.sim.payloads[place]);
-    for (std::size_t i = 0; i < payload_table.size(); ++i) {
-      check_field(payload_table[i], payload_key(place, payload_table[i].key), value_text(default_payload_table[i]),
-                  findings);
-    }
-  }
-  if (checked.sim.payloads.size() > kMaxPayloads) {
-    findings.push_back(
-        {{"payload"},
-         fmt::format("payload has {} tables; expected at most {}", checked.sim.payloads.size(), kMaxPayloads),
-         "remove some of the [[payload]] tables"});
-  }
+  check_elements("payload", checked.sim.payloads, kMaxPayloads, findings);
+  check_elements("fault", checked.sim.faults, sim_hw::kMaxFaults, findings);
   return findings;
 }
 
@@ -226,6 +275,8 @@ std::vector<Finding> check_relations(const Scenario& scenario) {
   check_ride_through(scenario, findings);
   check_watchdog(scenario, findings);
   check_latency(scenario, findings);
+  check_bus(scenario, findings);
+  check_faults(scenario, findings);
   check_shared_numbers(scenario, findings);
   if (findings.empty()) check_simulator(scenario, findings);
   return findings;

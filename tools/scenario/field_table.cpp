@@ -62,7 +62,11 @@ std::vector<Field> fields(sim_hw::PayloadConfig& payload) {
                    "law for the trunk's inertia, eq. (3.8) or parallel axes")};
 }
 
-std::string payload_key(std::size_t place, const std::string& key) { return fmt::format("payload[{}].{}", place, key); }
+std::string element_key(std::string_view array, std::size_t place, std::string_view key) {
+  return fmt::format("{}[{}].{}", array, place, key);
+}
+
+bool is_array_of_tables(std::string_view key) { return key == "payload" || key == "fault"; }
 
 Scenario preset(const std::string& plant) {
   Scenario scenario;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim_hw/plant_config.hpp"
@@ -9,15 +10,21 @@
 
 namespace surefoot::scenario {
 
-/// Every key of a scenario but those of the [[payload]] tables, in the order of the effective
+/// Every key of a scenario but those of the [[payload]] and [[fault]] tables, in the order of the effective
 /// scenario: keys of one table stand together, top-level keys first.
 [[nodiscard]] std::vector<Field> fields(Scenario& scenario);
 
 /// Every key of one [[payload]] table.
 [[nodiscard]] std::vector<Field> fields(sim_hw::PayloadConfig& payload);
 
-/// The key of a payload field as messages show it: "payload[0].mass_kg".
-[[nodiscard]] std::string payload_key(std::size_t place, const std::string& key);
+/// Every key of one [[fault]] table.
+[[nodiscard]] std::vector<Field> fields(sim_hw::FaultConfig& fault);
+
+/// The key of a field in an array of tables as messages show it: "payload[0].mass_kg".
+[[nodiscard]] std::string element_key(std::string_view array, std::size_t place, std::string_view key);
+
+/// Whether a top-level key is an array of tables: "payload" or "fault".
+[[nodiscard]] bool is_array_of_tables(std::string_view key);
 
 /// The scenario that a file starts from: the structs' defaults with the plant's numbers in them.
 ///

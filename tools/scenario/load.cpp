@@ -15,7 +15,7 @@
 namespace surefoot::scenario {
 namespace {
 
-/// Four times the longest effective scenario; keeps out /dev/zero, mistaken logs, and keys of so many
+/// More than the longest effective scenario, all payloads and faults in it; keeps out /dev/zero, mistaken logs, and keys of so many
 /// parts that the parser's recursion would overflow the stack.
 constexpr std::size_t kLargestFile = 64 * 1024;
 

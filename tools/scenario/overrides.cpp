@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "tools/scenario/field_table.hpp"
 #include "tools/scenario/toml_reader.hpp"
 
 namespace surefoot::scenario {
@@ -97,10 +98,10 @@ std::string write(toml::table& root, const std::vector<std::string>& parts, cons
   std::string shown;
   for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
     if (toml::table* table = node->as_table()) {
-      const bool place_follows = parts[i] == "payload" && parse_index(parts[i + 1]).has_value();
+      const bool place_follows = is_array_of_tables(parts[i]) && parse_index(parts[i + 1]).has_value();
       node = &step_into(*table, parts[i], place_follows);
       shown += (shown.empty() ? "" : ".") + parts[i];
-    } else if (toml::array* array = node->as_array(); array && shown == "payload") {
+    } else if (toml::array* array = node->as_array(); array && is_array_of_tables(shown)) {
       node = &step_into(*array, parts[i], shown);
       shown += "[" + parts[i] + "]";
     } else {
@@ -112,7 +113,7 @@ std::string write(toml::table& root, const std::vector<std::string>& parts, cons
     table->insert_or_assign(last, value);
     return shown + (shown.empty() ? "" : ".") + last;
   }
-  if (toml::array* array = node->as_array(); array && shown == "payload") {
+  if (toml::array* array = node->as_array(); array && is_array_of_tables(shown)) {
     (void)step_into(*array, last, shown);
     array->replace(array->cbegin() + static_cast<std::ptrdiff_t>(*parse_index(last)), value);
     return shown + "[" + last + "]";

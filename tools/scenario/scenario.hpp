@@ -28,7 +28,7 @@ struct TelemetryOptions {
 /// Everything that decides how a run goes, and nothing else: equal scenarios give equal bits.
 ///
 /// The scenario's clock reads 0 at the begin of the first scored gait cycle, that is, after
-/// standing, start-up, warm-up and learning; `duration_s` and `at_s` of the payloads count on it.
+/// standing, start-up, warm-up and learning; `duration_s` and `at_s` of payloads and faults count on it.
 ///
 /// Numbers that two rooms need stand once as a key and are copied by `share_numbers`; the seed
 /// lives in `sim.seed`, the time between ticks in `firmware.period_s`. `sim.time_zero_s` is the
@@ -52,8 +52,10 @@ inline constexpr std::size_t kMaxPayloads = 16;
 /// Reads a scenario file. Order of precedence: `--set` overrides, the file, the plant's preset, the
 /// structs' defaults. Payloads come back sorted by time.
 ///
-/// @param overrides  "key=value" each, as given to `--set`; later ones win; payloads by their place
-///                   in the file: "payload.0.mass_kg=5"
+/// Faults keep the order of the file.
+///
+/// @param overrides  "key=value" each, as given to `--set`; later ones win; payloads and faults by their
+///                   place in the file: "payload.0.mass_kg=5"
 /// @throws ScenarioError with every problem found: unknown keys, wrong types, impossible values
 [[nodiscard]] Scenario load(const std::filesystem::path& file, std::span<const std::string> overrides = {});
 

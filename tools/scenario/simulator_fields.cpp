@@ -1,3 +1,4 @@
+#include "sim_hw/bus/traffic.hpp"
 #include "tools/scenario/field_builders.hpp"
 #include "tools/scenario/scenario.hpp"
 
@@ -93,6 +94,29 @@ void append_sensors(std::vector<Field>& table, sim_hw::SensorConfig& sensor) {
              "standard deviation of an accelerometer"}});
 }
 
+void append_bus(std::vector<Field>& table, sim_hw::SimConfig& sim) {
+  sim_hw::BusConfig& bus = sim.bus;
+  table.insert(
+      table.end(),
+      {Field{
+           "bus.nominal_bit_rate_hz", &bus.nominal_bit_rate_hz, {1e4, 1e6}, "Hz", "bit rate of the arbitration phase"},
+       Field{"bus.data_bit_rate_hz", &bus.data_bit_rate_hz, {1e4, 8e6}, "Hz", "bit rate of the data phase"},
+       Field{"bus.count", &bus.count, {1.0, sim_hw::kMaxBuses}, "1", "number of CAN buses; 2: one for each leg"},
+       Field{"bus.node_latency_s", &bus.node_latency_s, {0.0, 1e-2}, "s", "time from SYNC to a node's answer"},
+       Field{"bus.node_jitter_s", &bus.node_jitter_s, {0.0, 1e-2}, "s", "largest random addition to the node latency"},
+       Field{"bus.compute_s", &bus.compute_s, {0.0, 1e-2}, "s", "time from the last node's answer to the torques"},
+       Field{"bus.command_latency_s",
+             &sim.command_latency_s,
+             {0.0, 0.1},
+             "s",
+             "time from the start of a tick to its torques at the motors"},
+       Field{"bus.watchdog_s",
+             &sim.watchdog_s,
+             {1e-4, 10.0},
+             "s",
+             "time without a torque frame after which the leg boards damp"}});
+}
+
 }  // namespace
 
 void append_simulator_fields(std::vector<Field>& table, Scenario& scenario) {
@@ -101,17 +125,8 @@ void append_simulator_fields(std::vector<Field>& table, Scenario& scenario) {
   append_drives(table, sim.drive);
   append_contact(table, sim.contact);
   append_sensors(table, sim.sensor);
-  table.insert(table.end(), {Field{"bus.command_latency_s",
-                                   &sim.command_latency_s,
-                                   {0.0, 0.1},
-                                   "s",
-                                   "time from the start of a tick to its torques at the motors"},
-                             Field{"bus.watchdog_s",
-                                   &sim.watchdog_s,
-                                   {1e-4, 10.0},
-                                   "s",
-                                   "time without a torque frame after which the leg boards damp"},
-                             Field{"physics.step_s", &sim.physics_step_s, {1e-5, 2e-3}, "s", "step of the physics"}});
+  append_bus(table, sim);
+  table.push_back({"physics.step_s", &sim.physics_step_s, {1e-5, 2e-3}, "s", "step of the physics"});
 }
 
 }  // namespace surefoot::scenario

@@ -66,7 +66,7 @@ class Reader {
     }
     scenario_ = defaults_;
     for (const Field& field : fields(scenario_)) known_keys_.push_back(field.key);
-    known_keys_.emplace_back("payload");
+    known_keys_.insert(known_keys_.end(), {"payload", "fault"});
     for (const std::string& key : std::vector<std::string>(known_keys_)) {
       if (const std::size_t dot = key.find('.'); dot != std::string::npos) tables_.insert(key.substr(0, dot));
     }
@@ -101,9 +101,10 @@ class Reader {
       if (field != known.end()) {
         places_[key] = place;
         assign(*field, key, node, value_text(defaults[static_cast<std::size_t>(field - known.begin())]));
-      } else if (prefix.empty() && key == "payload") {
+      } else if (prefix.empty() && is_array_of_tables(key)) {
         places_[key] = place;
-        read_payloads(node);
+        if (key == "payload") read_elements(key, node, scenario_.sim.payloads, kMaxPayloads);
+        if (key == "fault") read_elements(key, node, scenario_.sim.faults, sim_hw::kMaxFaults);
       } else if (prefix.empty() && tables_.contains(key)) {
         read_known_table(key, node, place, known, defaults);
       } else {
@@ -122,32 +123,36 @@ class Reader {
     }
   }
 
-  void read_payloads(const toml::node& node) {
-    const char* remedy = "write [[payload]] on a line of its own and its keys below, once for each load";
+  /// Reads an array of tables; one element too many is kept for the check of their number.
+  template <typename Element>
+  void read_elements(const std::string& array_name, const toml::node& node, std::vector<Element>& elements,
+                     std::size_t max) {
+    const std::string remedy =
+        fmt::format("write [[{0}]] on a line of its own and its keys below, once for each {0}", array_name);
     const toml::array* array = node.as_array();
     if (array == nullptr) {
-      add(place_of("payload", node.source().begin),
-          fmt::format("payload is {}; expected an array of tables", shown_with_type(node)), remedy);
+      add(place_of(array_name, node.source().begin),
+          fmt::format("{} is {}; expected an array of tables", array_name, shown_with_type(node)), remedy);
       return;
     }
-    scenario_.sim.payloads.resize(std::min(array->size(), kMaxPayloads + 1));
-    for (std::size_t i = 0; i < scenario_.sim.payloads.size(); ++i) {
+    elements.resize(std::min(array->size(), max + 1));
+    for (std::size_t i = 0; i < elements.size(); ++i) {
       const toml::node& element = (*array)[i];
       if (const toml::table* table = element.as_table()) {
-        read_payload(*table, i);
+        Element default_element;
+        read_element(array_name, i, *table, fields(elements[i]), fields(default_element));
       } else {
-        add(place_of(fmt::format("payload[{}]", i), element.source().begin),
-            fmt::format("payload[{}] is {}; expected a table", i, shown_with_type(element)), remedy);
+        const std::string key = fmt::format("{}[{}]", array_name, i);
+        add(place_of(key, element.source().begin),
+            fmt::format("{} is {}; expected a table", key, shown_with_type(element)), remedy);
       }
     }
   }
 
-  void read_payload(const toml::table& table, std::size_t index) {
-    sim_hw::PayloadConfig default_payload;
-    const std::vector<Field> known = fields(scenario_.sim.payloads[index]);
-    const std::vector<Field> defaults = fields(default_payload);
+  void read_element(const std::string& array_name, std::size_t index, const toml::table& table,
+                    const std::vector<Field>& known, const std::vector<Field>& defaults) {
     for (const auto& [name, node] : table) {
-      const std::string key = payload_key(index, std::string(name.str()));
+      const std::string key = element_key(array_name, index, name.str());
       const auto field = std::find_if(known.begin(), known.end(), [&](const Field& f) { return f.key == name.str(); });
       if (field != known.end()) {
         places_[key] = place_of(key, node.source().begin);
@@ -155,7 +160,7 @@ class Reader {
         continue;
       }
       std::vector<std::string> names;
-      for (const Field& candidate : known) names.push_back(payload_key(index, candidate.key));
+      for (const Field& candidate : known) names.push_back(element_key(array_name, index, candidate.key));
       report_unknown(key, place_of(key, name.source().begin), names);
     }
   }

@@ -4972,3 +4972,120 @@ bool surefoot_heartbeat_controller_crc_is_in_phys_range(double value)
 {
     return ((value >= 0.0) && (value <= 65535.0));
 }
+
+int surefoot_lockstep_served_pack(
+    uint8_t *dst_p,
+    const struct surefoot_lockstep_served_t *src_p,
+    size_t size)
+{
+    if (size < 8u) {
+        return (-EINVAL);
+    }
+
+    memset(&dst_p[0], 0, 8);
+
+    dst_p[0] |= pack_left_shift_u16(src_p->crc, 0u, 0xffu);
+    dst_p[1] |= pack_right_shift_u16(src_p->crc, 8u, 0xffu);
+    dst_p[2] |= pack_left_shift_u8(src_p->counter, 0u, 0xffu);
+    dst_p[4] |= pack_left_shift_u32(src_p->tick, 0u, 0xffu);
+    dst_p[5] |= pack_right_shift_u32(src_p->tick, 8u, 0xffu);
+    dst_p[6] |= pack_right_shift_u32(src_p->tick, 16u, 0xffu);
+    dst_p[7] |= pack_right_shift_u32(src_p->tick, 24u, 0xffu);
+
+    return (8);
+}
+
+int surefoot_lockstep_served_unpack(
+    struct surefoot_lockstep_served_t *dst_p,
+    const uint8_t *src_p,
+    size_t size)
+{
+    if (size < 8u) {
+        return (-EINVAL);
+    }
+
+    dst_p->crc = unpack_right_shift_u16(src_p[0], 0u, 0xffu);
+    dst_p->crc |= unpack_left_shift_u16(src_p[1], 8u, 0xffu);
+    dst_p->counter = unpack_right_shift_u8(src_p[2], 0u, 0xffu);
+    dst_p->tick = unpack_right_shift_u32(src_p[4], 0u, 0xffu);
+    dst_p->tick |= unpack_left_shift_u32(src_p[5], 8u, 0xffu);
+    dst_p->tick |= unpack_left_shift_u32(src_p[6], 16u, 0xffu);
+    dst_p->tick |= unpack_left_shift_u32(src_p[7], 24u, 0xffu);
+
+    return (0);
+}
+
+int surefoot_lockstep_served_init(struct surefoot_lockstep_served_t *msg_p)
+{
+    if (msg_p == NULL) return -1;
+
+    memset(msg_p, 0, sizeof(struct surefoot_lockstep_served_t));
+
+    return 0;
+}
+
+uint16_t surefoot_lockstep_served_crc_encode(double value)
+{
+    return (uint16_t)(cantools_unsigned_from_double(round(value)));
+}
+
+double surefoot_lockstep_served_crc_decode(uint16_t value)
+{
+    return ((double)value);
+}
+
+bool surefoot_lockstep_served_crc_is_in_range(uint16_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool surefoot_lockstep_served_crc_is_in_phys_range(double value)
+{
+    return ((value >= 0.0) && (value <= 65535.0));
+}
+
+uint8_t surefoot_lockstep_served_counter_encode(double value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(round(value)));
+}
+
+double surefoot_lockstep_served_counter_decode(uint8_t value)
+{
+    return ((double)value);
+}
+
+bool surefoot_lockstep_served_counter_is_in_range(uint8_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool surefoot_lockstep_served_counter_is_in_phys_range(double value)
+{
+    return ((value >= 0.0) && (value <= 255.0));
+}
+
+uint32_t surefoot_lockstep_served_tick_encode(double value)
+{
+    return (uint32_t)(cantools_unsigned_from_double(round(value)));
+}
+
+double surefoot_lockstep_served_tick_decode(uint32_t value)
+{
+    return ((double)value);
+}
+
+bool surefoot_lockstep_served_tick_is_in_range(uint32_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool surefoot_lockstep_served_tick_is_in_phys_range(double value)
+{
+    return ((value >= 0.0) && (value <= 4294967295.0));
+}

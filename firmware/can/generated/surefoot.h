@@ -65,6 +65,7 @@ extern "C" {
 #define SUREFOOT_HEARTBEAT_FOOT_LEFT_FRAME_ID (0x704u)
 #define SUREFOOT_HEARTBEAT_TORSO_IMU_FRAME_ID (0x705u)
 #define SUREFOOT_HEARTBEAT_CONTROLLER_FRAME_ID (0x77fu)
+#define SUREFOOT_LOCKSTEP_SERVED_FRAME_ID (0x7f0u)
 
 /* Frame lengths in bytes. */
 #define SUREFOOT_SYNC_LENGTH (8u)
@@ -87,6 +88,7 @@ extern "C" {
 #define SUREFOOT_HEARTBEAT_FOOT_LEFT_LENGTH (8u)
 #define SUREFOOT_HEARTBEAT_TORSO_IMU_LENGTH (8u)
 #define SUREFOOT_HEARTBEAT_CONTROLLER_LENGTH (8u)
+#define SUREFOOT_LOCKSTEP_SERVED_LENGTH (8u)
 
 /* Extended or standard frame types. */
 #define SUREFOOT_SYNC_IS_EXTENDED (0)
@@ -109,6 +111,7 @@ extern "C" {
 #define SUREFOOT_HEARTBEAT_FOOT_LEFT_IS_EXTENDED (0)
 #define SUREFOOT_HEARTBEAT_TORSO_IMU_IS_EXTENDED (0)
 #define SUREFOOT_HEARTBEAT_CONTROLLER_IS_EXTENDED (0)
+#define SUREFOOT_LOCKSTEP_SERVED_IS_EXTENDED (0)
 
 /* Frame cycle times in milliseconds. */
 #define SUREFOOT_SYNC_CYCLE_TIME_MS (1u)
@@ -130,26 +133,32 @@ extern "C" {
 #define SUREFOOT_EMERGENCY_LEG_RIGHT_CODE_ERROR_RESET_CHOICE (0u)
 #define SUREFOOT_EMERGENCY_LEG_RIGHT_CODE_TORQUE_LIMITED_CHOICE (8976u)
 #define SUREFOOT_EMERGENCY_LEG_RIGHT_CODE_WATCHDOG_EXPIRED_CHOICE (33072u)
+#define SUREFOOT_EMERGENCY_LEG_RIGHT_CODE_TWO_MASTERS_CHOICE (33104u)
 
 #define SUREFOOT_EMERGENCY_LEG_LEFT_CODE_ERROR_RESET_CHOICE (0u)
 #define SUREFOOT_EMERGENCY_LEG_LEFT_CODE_TORQUE_LIMITED_CHOICE (8976u)
 #define SUREFOOT_EMERGENCY_LEG_LEFT_CODE_WATCHDOG_EXPIRED_CHOICE (33072u)
+#define SUREFOOT_EMERGENCY_LEG_LEFT_CODE_TWO_MASTERS_CHOICE (33104u)
 
 #define SUREFOOT_EMERGENCY_FOOT_RIGHT_CODE_ERROR_RESET_CHOICE (0u)
 #define SUREFOOT_EMERGENCY_FOOT_RIGHT_CODE_TORQUE_LIMITED_CHOICE (8976u)
 #define SUREFOOT_EMERGENCY_FOOT_RIGHT_CODE_WATCHDOG_EXPIRED_CHOICE (33072u)
+#define SUREFOOT_EMERGENCY_FOOT_RIGHT_CODE_TWO_MASTERS_CHOICE (33104u)
 
 #define SUREFOOT_EMERGENCY_FOOT_LEFT_CODE_ERROR_RESET_CHOICE (0u)
 #define SUREFOOT_EMERGENCY_FOOT_LEFT_CODE_TORQUE_LIMITED_CHOICE (8976u)
 #define SUREFOOT_EMERGENCY_FOOT_LEFT_CODE_WATCHDOG_EXPIRED_CHOICE (33072u)
+#define SUREFOOT_EMERGENCY_FOOT_LEFT_CODE_TWO_MASTERS_CHOICE (33104u)
 
 #define SUREFOOT_EMERGENCY_TORSO_IMU_CODE_ERROR_RESET_CHOICE (0u)
 #define SUREFOOT_EMERGENCY_TORSO_IMU_CODE_TORQUE_LIMITED_CHOICE (8976u)
 #define SUREFOOT_EMERGENCY_TORSO_IMU_CODE_WATCHDOG_EXPIRED_CHOICE (33072u)
+#define SUREFOOT_EMERGENCY_TORSO_IMU_CODE_TWO_MASTERS_CHOICE (33104u)
 
 #define SUREFOOT_EMERGENCY_CONTROLLER_CODE_ERROR_RESET_CHOICE (0u)
 #define SUREFOOT_EMERGENCY_CONTROLLER_CODE_TORQUE_LIMITED_CHOICE (8976u)
 #define SUREFOOT_EMERGENCY_CONTROLLER_CODE_WATCHDOG_EXPIRED_CHOICE (33072u)
+#define SUREFOOT_EMERGENCY_CONTROLLER_CODE_TWO_MASTERS_CHOICE (33104u)
 
 #define SUREFOOT_LEG_STATE_RIGHT_IS_WATCHDOG_EXPIRED_NO_CHOICE (0u)
 #define SUREFOOT_LEG_STATE_RIGHT_IS_WATCHDOG_EXPIRED_YES_CHOICE (1u)
@@ -226,6 +235,7 @@ extern "C" {
 #define SUREFOOT_HEARTBEAT_FOOT_LEFT_NAME "HEARTBEAT_FOOT_LEFT"
 #define SUREFOOT_HEARTBEAT_TORSO_IMU_NAME "HEARTBEAT_TORSO_IMU"
 #define SUREFOOT_HEARTBEAT_CONTROLLER_NAME "HEARTBEAT_CONTROLLER"
+#define SUREFOOT_LOCKSTEP_SERVED_NAME "LOCKSTEP_SERVED"
 
 /* Signal Names. */
 #define SUREFOOT_SYNC_CRC_NAME "crc"
@@ -382,6 +392,9 @@ extern "C" {
 #define SUREFOOT_HEARTBEAT_CONTROLLER_COUNTER_NAME "counter"
 #define SUREFOOT_HEARTBEAT_CONTROLLER_TICK_NAME "tick"
 #define SUREFOOT_HEARTBEAT_CONTROLLER_CRC_NAME "crc"
+#define SUREFOOT_LOCKSTEP_SERVED_CRC_NAME "crc"
+#define SUREFOOT_LOCKSTEP_SERVED_COUNTER_NAME "counter"
+#define SUREFOOT_LOCKSTEP_SERVED_TICK_NAME "tick"
 
 /**
  * Signals in message SYNC.
@@ -1947,6 +1960,42 @@ struct surefoot_heartbeat_controller_t {
      * Offset: 0
      */
     uint16_t crc;
+};
+
+/**
+ * Signals in message LOCKSTEP_SERVED.
+ *
+ * The simulated robot has answered all that it will for this tick's SYNC. Sent in lockstep only, and only in a tick in which some node did not answer. The byte after the counter is reserved, sent as 0.
+ *
+ * All signal values are as on the CAN bus.
+ */
+struct surefoot_lockstep_served_t {
+    /**
+     * CRC-16/CCITT-FALSE over the identifier (2 bytes, low byte first), then all payload bytes but these two.
+     *
+     * Range: 0..65535 (0..65535 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint16_t crc;
+
+    /**
+     * Rolling counter of this identifier: one up for each frame, wraps at 255.
+     *
+     * Range: 0..255 (0..255 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t counter;
+
+    /**
+     * Tick of the SYNC that was served.
+     *
+     * Range: 0..4294967295 (0..4294967295 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint32_t tick;
 };
 
 /**
@@ -8848,6 +8897,163 @@ bool surefoot_heartbeat_controller_crc_is_in_range(uint16_t value);
  * @return true if in range, false otherwise.
  */
 bool surefoot_heartbeat_controller_crc_is_in_phys_range(double value);
+
+/**
+ * Pack message LOCKSTEP_SERVED.
+ *
+ * @param[out] dst_p Buffer to pack the message into.
+ * @param[in] src_p Data to pack.
+ * @param[in] size Size of dst_p.
+ *
+ * @return Size of packed data, or negative error code.
+ */
+int surefoot_lockstep_served_pack(
+    uint8_t *dst_p,
+    const struct surefoot_lockstep_served_t *src_p,
+    size_t size);
+
+/**
+ * Unpack message LOCKSTEP_SERVED.
+ *
+ * @param[out] dst_p Object to unpack the message into.
+ * @param[in] src_p Message to unpack.
+ * @param[in] size Size of src_p.
+ *
+ * @return zero(0) or negative error code.
+ */
+int surefoot_lockstep_served_unpack(
+    struct surefoot_lockstep_served_t *dst_p,
+    const uint8_t *src_p,
+    size_t size);
+
+/**
+ * Init message fields to default values from LOCKSTEP_SERVED.
+ *
+ * @param[in] msg_p Message to init.
+ *
+ * @return zero(0) on success or (-1) in case of nullptr argument.
+ */
+int surefoot_lockstep_served_init(struct surefoot_lockstep_served_t *msg_p);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint16_t surefoot_lockstep_served_crc_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_lockstep_served_crc_decode(uint16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_lockstep_served_crc_is_in_range(uint16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_lockstep_served_crc_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t surefoot_lockstep_served_counter_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_lockstep_served_counter_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_lockstep_served_counter_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_lockstep_served_counter_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint32_t surefoot_lockstep_served_tick_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_lockstep_served_tick_decode(uint32_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_lockstep_served_tick_is_in_range(uint32_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_lockstep_served_tick_is_in_phys_range(double value);
 
 
 #ifdef __cplusplus

@@ -25,6 +25,8 @@ const char* name(ReflexPhase phase) noexcept {
       return "restoring";
     case ReflexPhase::kResting:
       return "resting";
+    case ReflexPhase::kStopped:
+      return "stopped";
   }
   return "unknown";
 }
@@ -45,6 +47,8 @@ const char* name(ReflexEvent event) noexcept {
       return "restored";
     case ReflexEvent::kRested:
       return "rested";
+    case ReflexEvent::kStopOrdered:
+      return "stop_ordered";
   }
   return "unknown";
 }

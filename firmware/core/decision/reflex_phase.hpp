@@ -16,6 +16,7 @@ enum class ReflexPhase : std::uint8_t {
   kRestoring,  ///< one step back to the nominal step length; also the first step after kStanding;
                ///< leaves when the sway of that step ends
   kResting,    ///< stands for half the settling time; leaves to kWalking, detector re-armed
+  kStopped,    ///< after a latched fault: both feet down in a short move, then stands; never left
 };
 
 /// What moves the sequence on.
@@ -27,6 +28,7 @@ enum class ReflexEvent : std::uint8_t {
   kShifted,
   kRestored,
   kRested,
+  kStopOrdered = 8,  ///< a fault latched; 7 is no event of the sequence in the recorded logs
 };
 
 struct Edge {
@@ -44,15 +46,22 @@ inline constexpr std::array kReflexEdges{
     Edge{ReflexPhase::kShifting, ReflexEvent::kShifted, ReflexPhase::kRestoring},
     Edge{ReflexPhase::kRestoring, ReflexEvent::kRestored, ReflexPhase::kResting},
     Edge{ReflexPhase::kResting, ReflexEvent::kRested, ReflexPhase::kWalking},
+    Edge{ReflexPhase::kStanding, ReflexEvent::kStopOrdered, ReflexPhase::kStopped},
+    Edge{ReflexPhase::kWalking, ReflexEvent::kStopOrdered, ReflexPhase::kStopped},
+    Edge{ReflexPhase::kReflex, ReflexEvent::kStopOrdered, ReflexPhase::kStopped},
+    Edge{ReflexPhase::kSettling, ReflexEvent::kStopOrdered, ReflexPhase::kStopped},
+    Edge{ReflexPhase::kShifting, ReflexEvent::kStopOrdered, ReflexPhase::kStopped},
+    Edge{ReflexPhase::kRestoring, ReflexEvent::kStopOrdered, ReflexPhase::kStopped},
+    Edge{ReflexPhase::kResting, ReflexEvent::kStopOrdered, ReflexPhase::kStopped},
 };
 
 inline constexpr std::array kReflexPhases{ReflexPhase::kStanding, ReflexPhase::kWalking,  ReflexPhase::kReflex,
                                           ReflexPhase::kSettling, ReflexPhase::kShifting, ReflexPhase::kRestoring,
-                                          ReflexPhase::kResting};
+                                          ReflexPhase::kResting,  ReflexPhase::kStopped};
 
 inline constexpr std::array kReflexEvents{
     ReflexEvent::kStandingDone, ReflexEvent::kPayloadDetected, ReflexEvent::kReflexDone, ReflexEvent::kSettled,
-    ReflexEvent::kShifted,      ReflexEvent::kRestored,        ReflexEvent::kRested};
+    ReflexEvent::kShifted,      ReflexEvent::kRestored,        ReflexEvent::kRested,     ReflexEvent::kStopOrdered};
 
 /// The phase after `event` in `phase`, or nothing when the pair is illegal.
 [[nodiscard]] std::optional<ReflexPhase> next_phase(ReflexPhase phase, ReflexEvent event) noexcept;

@@ -18,6 +18,7 @@ struct Sequence {
   ReflexSequenceState& state;
   const estimation::Estimate& estimate;
   double period_s;
+  const gait::SafeStopConfig* stop;
 
   [[nodiscard]] std::int64_t ticks_since_origin() const noexcept { return state.tick - state.origin_tick; }
 
@@ -64,8 +65,12 @@ struct Sequence {
     state.standing_force_n = estimate.filtered_force_n;
   }
 
+  [[nodiscard]] FootReference now() const noexcept {
+    return gait::foot_reference(walk, state.decision.motion, time_in_phase_s());
+  }
+
   void react() noexcept {
-    const FootReference at_trigger = gait::foot_reference(walk, state.decision.motion, time_in_phase_s());
+    const FootReference at_trigger = now();
     const PerSide<double> offset_x_m = reflex_offset_x_m(walk, reflex, at_trigger, state.decision.walk_phase_s);
     const FootReference stance = gait::reflex_stance(walk, at_trigger, offset_x_m);
     restart(gait::move(at_trigger, stance, reflex.profile, reflex.reflex_s), reflex.reflex_s);
@@ -73,7 +78,9 @@ struct Sequence {
 
   void adapt() noexcept {
     const double error_m = estimate.filtered_zmp_x_body_m - state.decision.balance_zmp_x_body_m;
-    const double shift_m = std::clamp(error_m, -reflex.max_shift_m, reflex.max_shift_m);
+    const bool is_possible = estimate.is_zmp_within_feet;
+    if (!is_possible) ++state.decision.refused_adaptations;
+    const double shift_m = is_possible ? std::clamp(error_m, -reflex.max_shift_m, reflex.max_shift_m) : 0.0;
     state.decision.adaptation_m = shift_m;
     state.decision.reference_x_body_m += shift_m;
     // What balances the robot is the ZMP's place between the feet, and they move by a: without this line, which the
@@ -118,6 +125,8 @@ struct Sequence {
         return rest();
       case ReflexEvent::kRested:
         return walk_on();
+      case ReflexEvent::kStopOrdered:
+        return restart(gait::safe_stop(walk, *stop, now()), stop->duration_s);
     }
   }
 
@@ -126,6 +135,13 @@ struct Sequence {
     const double phase_s = decision.motion.start_phase_s + time_in_phase_s();
     const gait::HalfCycle half = gait::half_cycle(walk, phase_s);
     decision.walk_phase_s = half.time_s + (half.swing == Side::kRight ? walk.step_s() : 0.0);
+  }
+
+  [[nodiscard]] std::optional<ReflexEvent> event_of_tick() noexcept {
+    const ReflexPhase phase = state.decision.phase;
+    if (phase == ReflexPhase::kStopped) return std::nullopt;
+    if (stop != nullptr) return ReflexEvent::kStopOrdered;
+    return phase == ReflexPhase::kWalking ? event_of_walking() : event_at_end_of(phase);
   }
 
   [[nodiscard]] std::optional<ReflexEvent> event_of_walking() noexcept {
@@ -142,9 +158,9 @@ struct Sequence {
     if (ticks_since_origin() < first_tick_at(state.phase_begin_s + state.phase_duration_s, period_s)) {
       return std::nullopt;
     }
-    // The timed phases have one edge each: the event that ends them.
+    // The timed phases have one edge each beside the stop: the event that ends them.
     for (const Edge& edge : kReflexEdges) {
-      if (edge.from == phase) return edge.on;
+      if (edge.from == phase && edge.on != ReflexEvent::kStopOrdered) return edge.on;
     }
     return std::nullopt;
   }
@@ -153,15 +169,15 @@ struct Sequence {
 }  // namespace
 
 Decision step(const gait::WalkParameters& walk, const ReflexConfig& reflex, const PayloadDetectorConfig& detector,
-              ReflexSequenceState& state, const estimation::Estimate& estimate, double period_s) noexcept {
-  Sequence sequence{walk, reflex, detector, state, estimate, period_s};
+              ReflexSequenceState& state, const estimation::Estimate& estimate, double period_s,
+              const gait::SafeStopConfig* stop) noexcept {
+  Sequence sequence{walk, reflex, detector, state, estimate, period_s, stop};
   Decision& decision = state.decision;
   if (state.tick == 0) sequence.power_up();
 
   decision.is_payload_seen = false;
   if (decision.phase == ReflexPhase::kWalking) sequence.follow_walk();
-  decision.event =
-      decision.phase == ReflexPhase::kWalking ? sequence.event_of_walking() : sequence.event_at_end_of(decision.phase);
+  decision.event = sequence.event_of_tick();
   if (decision.event) {
     if (const std::optional<ReflexPhase> next = next_phase(decision.phase, *decision.event)) {
       sequence.act(*decision.event);

@@ -8,6 +8,7 @@
 #include "firmware/core/decision/reflex_phase.hpp"
 #include "firmware/core/estimation/estimator.hpp"
 #include "firmware/core/gait/motion_plan.hpp"
+#include "firmware/core/gait/safe_stop.hpp"
 #include "firmware/core/gait/walk_parameters.hpp"
 
 namespace surefoot::decision {
@@ -28,6 +29,7 @@ struct Decision {
   double reference_x_body_m = 0.0;      ///< x_ref_as with all adaptations so far
   double balance_zmp_x_body_m = 0.0;    ///< what the adaptation steers to; measured at the end of the first standing
   double adaptation_m = 0.0;            ///< a, (3.19): last shift of the feet
+  int refused_adaptations = 0;          ///< shifts left out because the ZMP lay outside the feet
   gait::StepRestoration restoration{};  ///< the last restoring step that was planned
 };
 
@@ -58,11 +60,15 @@ struct ReflexSequenceState {
 /// exactly T/2 or 0. A skipped step (f < 1e-3) shows as one tick of `kRestoring`.
 ///
 /// At T2 the adaptation a = filtered ZMP - balance ZMP, (3.19), moves x_ref_as, (3.20), and the
-/// detector's threshold is carried to the new standing weight: it is armed from the first step on.
+/// detector's threshold is carried to the new standing weight: it is armed from the first step on. A
+/// filtered ZMP outside the feet cannot be: then the feet stay where they are, and it is counted.
 ///
 /// Calls must come once a period, from power-up on.
+///
+/// @param stop  not null: the robot must stop, in this way, whatever it is doing, and for good
 [[nodiscard]] Decision step(const gait::WalkParameters&, const ReflexConfig&, const PayloadDetectorConfig&,
-                            ReflexSequenceState&, const estimation::Estimate&, double period_s) noexcept;
+                            ReflexSequenceState&, const estimation::Estimate&, double period_s,
+                            const gait::SafeStopConfig* stop = nullptr) noexcept;
 
 /// From power-up to the begin of the walk: standing, first step, rest. Exact, not rounded to ticks.
 [[nodiscard]] double start_up_s(const gait::WalkParameters&, const ReflexConfig&) noexcept;

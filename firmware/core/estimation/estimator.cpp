@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "firmware/core/kinematics/leg_kinematics.hpp"
@@ -23,9 +24,8 @@ void filter(double& filtered, bool& has_value, double factor, double value) noex
 }
 
 /// Sum of force times position over the corners of one foot, body frame.
-geometry::Vector3 moment_sum(const geometry::RobotGeometry& robot, Side side, const LegVector& angle_rad,
+geometry::Vector3 moment_sum(const geometry::RobotGeometry& robot, const kinematics::FootPose& pose,
                              const FootSensors& foot) noexcept {
-  const kinematics::FootPose pose = kinematics::forward(robot, side, angle_rad);
   double force_n = 0.0;
   geometry::Vector3 weighted_foot = geometry::Vector3::Zero();
   for (std::size_t corner = 0; corner < geometry::kCornersPerFoot; ++corner) {
@@ -55,18 +55,25 @@ Estimate step(const EstimatorConfig& config, const geometry::RobotGeometry& robo
     filter(state.filtered_force_n, state.has_force, state.force_factor, estimate.vertical_force_n);
     if (estimate.vertical_force_n >= config.min_force_for_zmp_n && are_fresh(sensors.leg)) {
       geometry::Vector3 sum = geometry::Vector3::Zero();
+      double heel_x_m = std::numeric_limits<double>::infinity();
+      double toe_x_m = -heel_x_m;
       for (const Side side : kSides) {
-        sum += moment_sum(robot, side, sensors.leg[index(side)].angle_rad, sensors.foot[index(side)]);
+        const kinematics::FootPose pose = kinematics::forward(robot, side, sensors.leg[index(side)].angle_rad);
+        sum += moment_sum(robot, pose, sensors.foot[index(side)]);
+        heel_x_m = std::min(heel_x_m, pose.position_body_m.x() - robot.sole_heel_m);
+        toe_x_m = std::max(toe_x_m, pose.position_body_m.x() + robot.sole_toe_m);
       }
       state.zmp_x_body_m = sum.x() / estimate.vertical_force_n;
       state.zmp_y_body_m = sum.y() / estimate.vertical_force_n;
       filter(state.filtered_zmp_x_body_m, state.has_zmp, state.zmp_factor, state.zmp_x_body_m);
+      state.is_zmp_within_feet = state.filtered_zmp_x_body_m >= heel_x_m && state.filtered_zmp_x_body_m <= toe_x_m;
     }
   }
   estimate.filtered_force_n = state.filtered_force_n;
   estimate.zmp_x_body_m = state.zmp_x_body_m;
   estimate.zmp_y_body_m = state.zmp_y_body_m;
   estimate.filtered_zmp_x_body_m = state.filtered_zmp_x_body_m;
+  estimate.is_zmp_within_feet = state.is_zmp_within_feet;
   return estimate;
 }
 

@@ -19,11 +19,12 @@ struct EstimatorState {
   double zmp_x_body_m = 0.0;
   double zmp_y_body_m = 0.0;
   double filtered_zmp_x_body_m = 0.0;
-  bool has_force = false;        ///< first valid force seen; the force filter starts there, not at zero
-  bool has_zmp = false;          ///< first valid ZMP seen
-  double factor_period_s = 0.0;  ///< period that the two factors below were computed for
-  double force_factor = 0.0;     ///< lambda of (3.7): 1 - exp(-period / time constant)
-  double zmp_factor = 0.0;       ///< lambda of (3.18)
+  bool has_force = false;          ///< first valid force seen; the force filter starts there, not at zero
+  bool has_zmp = false;            ///< first valid ZMP seen
+  bool is_zmp_within_feet = true;  ///< judged when the ZMP last moved
+  double factor_period_s = 0.0;    ///< period that the two factors below were computed for
+  double force_factor = 0.0;       ///< lambda of (3.7): 1 - exp(-period / time constant)
+  double zmp_factor = 0.0;         ///< lambda of (3.18)
 };
 
 /// What the sensors say about the robot as a whole.
@@ -33,6 +34,7 @@ struct Estimate {
   double zmp_x_body_m = 0.0;      ///< from the eight corner forces at the measured joint angles
   double zmp_y_body_m = 0.0;
   double filtered_zmp_x_body_m = 0.0;  ///< (3.18) with the raw ZMP in its last term
+  bool is_zmp_within_feet = true;      ///< filtered ZMP between the rearmost heel and the foremost toe: it must be
   PerSide<double> foot_force_n{};
 };
 

@@ -16,6 +16,14 @@ const char* name(Fault fault) noexcept {
       return "joint_overspeed";
     case Fault::kBoardDamping:
       return "board_damping";
+    case Fault::kSecondMaster:
+      return "second_master";
+    case Fault::kLoopOverrun:
+      return "loop_overrun";
+    case Fault::kSensorImplausible:
+      return "sensor_implausible";
+    case Fault::kForeignVersion:
+      return "foreign_version";
   }
   return "unknown";
 }

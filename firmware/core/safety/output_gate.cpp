@@ -7,21 +7,25 @@
 namespace surefoot::safety {
 namespace {
 
-constexpr std::size_t kNodes = 5;
+constexpr std::size_t kNodes = 5;  ///< right leg, left leg, right foot, left foot, torso
 
 std::array<Freshness, kNodes> freshness_of_nodes(const SensorSnapshot& sensors) noexcept {
   return {sensors.leg[0].freshness, sensors.leg[1].freshness, sensors.foot[0].freshness, sensors.foot[1].freshness,
           sensors.torso.freshness};
 }
 
-/// Silence of the quietest node, in ticks. A node still awaited after power-up is as old as the gate.
-std::uint32_t longest_silence_ticks(const OutputGateState& state, const SensorSnapshot& sensors) noexcept {
-  std::uint32_t longest = 0;
-  for (const Freshness& freshness : freshness_of_nodes(sensors)) {
-    const bool awaited = !state.all_nodes_heard && !freshness.was_heard();
-    longest = std::max(longest, awaited ? state.awaited_ticks : freshness.age_ticks);
+/// A node still awaited after power-up is as old as the gate.
+Finding find_silence(const OutputGateConfig& config, const OutputGateState& state,
+                     const SensorSnapshot& sensors) noexcept {
+  const auto nodes = freshness_of_nodes(sensors);
+  Finding found;
+  for (std::size_t node = 0; node < nodes.size(); ++node) {
+    const bool is_awaited = !state.all_nodes_heard && !nodes[node].was_heard();
+    const std::uint32_t silent_ticks = is_awaited ? state.awaited_ticks : nodes[node].age_ticks;
+    if (silent_ticks <= config.ride_through_ticks) continue;
+    found = followed_by(found, finding_of_node(Fault::kSensorSilent, node < sensors.leg.size()));
   }
-  return longest;
+  return found;
 }
 
 bool is_finite(const PerSide<LegVector>& torque_nm) noexcept {
@@ -57,39 +61,43 @@ std::uint32_t count_damping(const SensorSnapshot& sensors, std::uint32_t ticks_s
   return all_spoke ? 0 : ticks_so_far;
 }
 
-/// The first fault in the order of cause and consequence.
-Fault find_fault(const OutputGateConfig& config, const OutputGateState& state, const PerSide<LegVector>& wanted_nm,
-                 const SensorSnapshot& sensors) noexcept {
-  if (longest_silence_ticks(state, sensors) > config.ride_through_ticks) return Fault::kSensorSilent;
-  if (state.damped_ticks > config.ride_through_ticks) return Fault::kBoardDamping;
-  for (const LegSensors& leg : sensors.leg) {
-    if (!leg.freshness.is_fresh()) continue;
-    if (!is_in_range(config, leg)) return Fault::kJointOutOfRange;
-    if (!is_slow_enough(config, leg)) return Fault::kJointOverspeed;
-  }
-  return is_finite(wanted_nm) ? Fault::kNone : Fault::kTorqueNotFinite;
+Finding find_joint_fault(const OutputGateConfig& config, const LegSensors& leg) noexcept {
+  if (!leg.freshness.is_fresh()) return {};
+  if (!is_in_range(config, leg)) return finding_of(Fault::kJointOutOfRange);
+  return is_slow_enough(config, leg) ? Finding{} : finding_of(Fault::kJointOverspeed);
+}
+
+/// All faults of this tick as one, in the order of cause and consequence.
+Finding find_fault(const OutputGateConfig& config, const OutputGateState& state, const PerSide<LegVector>& wanted_nm,
+                   const SensorSnapshot& sensors, const GateOrders& orders) noexcept {
+  Finding found = followed_by(orders.reported, find_silence(config, state, sensors));
+  if (state.damped_ticks > config.ride_through_ticks) found = followed_by(found, finding_of(Fault::kBoardDamping));
+  for (const LegSensors& leg : sensors.leg) found = followed_by(found, find_joint_fault(config, leg));
+  if (!is_finite(wanted_nm)) found = followed_by(found, finding_of(Fault::kTorqueNotFinite));
+  return found;
 }
 
 }  // namespace
 
 PerSide<LegCommand> step(const OutputGateConfig& config, OutputGateState& state, const PerSide<LegVector>& wanted_nm,
-                         const SensorSnapshot& sensors, double period_s) noexcept {
-  const auto nodes = freshness_of_nodes(sensors);
-  if (std::ranges::all_of(nodes, &Freshness::was_heard)) state.all_nodes_heard = true;
+                         const SensorSnapshot& sensors, const GateOrders& orders, double period_s) noexcept {
+  if (std::ranges::all_of(freshness_of_nodes(sensors), &Freshness::was_heard)) state.all_nodes_heard = true;
   if (!state.all_nodes_heard) ++state.awaited_ticks;
-  if (state.all_nodes_heard) state.damped_ticks = count_damping(sensors, state.damped_ticks);
-  if (state.latched == Fault::kNone) state.latched = find_fault(config, state, wanted_nm, sensors);
-  if (state.latched != Fault::kNone || !state.all_nodes_heard) {
+  const bool is_standing_by = !state.all_nodes_heard || orders.is_waiting_for_posture;
+  if (!is_standing_by) state.damped_ticks = count_damping(sensors, state.damped_ticks);
+
+  state.latched = followed_by(state.latched, find_fault(config, state, wanted_nm, sensors, orders));
+  if (is_standing_by && state.latched.needs != SafeState::kNone) state.latched.needs = SafeState::kDamp;
+  if (is_standing_by || state.latched.needs == SafeState::kDamp) {
     state.last_torque_nm = {};
     return {};
   }
 
-  const bool all_fresh = std::ranges::all_of(nodes, &Freshness::is_fresh);
   const double largest_change_nm = config.torque_rate_limit_nm_s * period_s;
   PerSide<LegCommand> command{};
   for (const Side side : kSides) {
     LegVector& last_nm = state.last_torque_nm[index(side)];
-    if (all_fresh) {
+    if (sensors.leg[index(side)].freshness.is_fresh()) {
       for (std::size_t joint = 0; joint < kJointsPerLeg; ++joint) {
         const double limited_nm =
             std::clamp(wanted_nm[index(side)][joint], -config.torque_limit_nm, config.torque_limit_nm);

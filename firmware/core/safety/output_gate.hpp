@@ -1,7 +1,7 @@
 #pragma once
 
 #include "firmware/core/leg_command.hpp"
-#include "firmware/core/safety/fault.hpp"
+#include "firmware/core/safety/safe_state.hpp"
 #include "firmware/core/sensor_snapshot.hpp"
 
 namespace surefoot::safety {
@@ -19,22 +19,32 @@ struct OutputGateConfig {
 /// Everything that lives between two ticks.
 struct OutputGateState {
   PerSide<LegVector> last_torque_nm{};
-  Fault latched = Fault::kNone;
+  Finding latched{};                ///< the first fault, and the safe state that all so far ask for
   bool all_nodes_heard = false;     ///< every node has answered at least once since power-up
   std::uint32_t awaited_ticks = 0;  ///< ticks since power-up in which some node had not yet answered at all
   std::uint32_t damped_ticks = 0;   ///< for so long a leg board has damped since all nodes are heard
 };
 
-/// What goes to the leg boards. Until a fault latches: the wanted torque, limited in rate and size.
-/// While a node rides through, the last torques are held. Until every node has answered once after
-/// power-up: mode kDamp and zero torque, a fault only after `ride_through_ticks` of that. After a
-/// latched fault: mode kDamp and zero torque, until a fresh `OutputGateState` is put in place.
-/// When one tick shows several faults, silence comes first, then a board that damps against its
-/// orders, then the joints, then the torque: the cause before its consequence. Independent of everything that stands
-/// above it.
+/// What the rooms above tell the gate beside the torques.
+struct GateOrders {
+  Finding reported{};                   ///< a fault found outside the gate in this tick
+  bool is_waiting_for_posture = false;  ///< the robot does not stand as it must before torques may begin
+};
+
+/// What goes to the leg boards.
+///
+/// Without a fault, and in the safe state kStanceHold: the wanted torque, limited in rate and size; a leg whose
+/// board did not answer this tick keeps its last torques. In the safe state kDamp, until every node has answered
+/// once after power-up, and while waiting for the posture: mode kDamp and zero torque. A node may be awaited for
+/// `ride_through_ticks`; a fault before the first torque always damps, for there is no stance to hold. A safe
+/// state lasts, or grows worse, until a fresh `OutputGateState` is put in place.
+///
+/// When one tick shows several faults, what was reported comes first, then silence, then a board that damps
+/// against its orders, then the joints, then the torque: the cause before its consequence. Independent of
+/// everything that stands above it.
 ///
 /// @param period_s  time since the last call, > 0
 [[nodiscard]] PerSide<LegCommand> step(const OutputGateConfig&, OutputGateState&, const PerSide<LegVector>& wanted_nm,
-                                       const SensorSnapshot&, double period_s) noexcept;
+                                       const SensorSnapshot&, const GateOrders&, double period_s) noexcept;
 
 }  // namespace surefoot::safety

@@ -131,7 +131,7 @@ struct Kind {
 Kind any_kind() {
   const FrameStamp stamp = any_stamp();
   const Node node = *rc::gen::elementOf(kNodes);
-  switch (*rc::gen::inRange(0, 7)) {
+  switch (*rc::gen::inRange(0, 8)) {
     case 0:
       return {encode_sync(stamp), [](const CanFrame& frame) {
                 FrameStamp heard;
@@ -156,6 +156,11 @@ Kind any_kind() {
                 FrameStamp heard;
                 ImuSensors imu;
                 return decode_imu(frame, heard, imu);
+              }};
+    case 7:
+      return {encode_lockstep_served(stamp), [](const CanFrame& frame) {
+                FrameStamp heard;
+                return decode_lockstep_served(frame, heard);
               }};
     case 4:
       return {encode_leg_command(any_side(), stamp, {LegMode::kTorque, fill<LegVector>(kJointTorqueNm)}),

@@ -42,6 +42,12 @@ SensorSnapshot any_sensors() {
   return sensors;
 }
 
+GateOrders any_orders() {
+  const int kind = *rc::gen::inRange(0, 100);
+  const Fault fault = *rc::gen::element(Fault::kSecondMaster, Fault::kLoopOverrun, Fault::kSensorImplausible);
+  return {.reported = kind == 0 ? finding_of(fault) : Finding{}, .is_waiting_for_posture = kind == 1};
+}
+
 PerSide<LegVector> any_torques() {
   PerSide<LegVector> torques{};
   for (LegVector& leg : torques) {
@@ -50,16 +56,17 @@ PerSide<LegVector> any_torques() {
   return torques;
 }
 
-RC_GTEST_PROP(OutputGate, IsFiniteWithinItsLimitsAndSilentAfterAFaultWhateverComesIn, ()) {
+RC_GTEST_PROP(OutputGate, IsFiniteWithinItsLimitsAndSilentOnceItDampsWhateverComesIn, ()) {
   OutputGateConfig config;
   config.torque_rate_limit_nm_s = *rc::gen::element(1.0e4, 7.0e4, 2.0e5, 1.0e9);
   OutputGateState state;
   PerSide<LegVector> previous_nm{};
-  Fault first = Fault::kNone;
+  Finding first;
   const int ticks = *rc::gen::inRange(1, 60);
   for (int tick = 0; tick < ticks; ++tick) {
-    const PerSide<LegCommand> command = step(config, state, any_torques(), any_sensors(), kPeriodS);
-    if (first != Fault::kNone) RC_ASSERT(state.latched == first);
+    const PerSide<LegCommand> command = step(config, state, any_torques(), any_sensors(), any_orders(), kPeriodS);
+    if (first.fault != Fault::kNone) RC_ASSERT(state.latched.fault == first.fault);
+    RC_ASSERT(state.latched.needs >= first.needs);
     first = state.latched;
     RC_ASSERT(command[0].mode == command[1].mode);
     for (std::size_t leg = 0; leg < 2; ++leg) {
@@ -71,15 +78,16 @@ RC_GTEST_PROP(OutputGate, IsFiniteWithinItsLimitsAndSilentAfterAFaultWhateverCom
         if (command[leg].mode == LegMode::kDamp) {
           RC_ASSERT(torque == 0.0);
         } else {
-          RC_ASSERT(first == Fault::kNone);
+          RC_ASSERT(first.needs != SafeState::kDamp);
           RC_ASSERT(std::abs(torque - previous_nm[leg][joint]) <= config.torque_rate_limit_nm_s * kPeriodS + 1e-9);
         }
         previous_nm[leg][joint] = torque;
       }
     }
-    if (first != Fault::kNone) RC_ASSERT(command[0].mode == LegMode::kDamp);
+    if (first.needs == SafeState::kDamp) RC_ASSERT(command[0].mode == LegMode::kDamp);
   }
-  RC_CLASSIFY(first != Fault::kNone, "latched");
+  RC_CLASSIFY(first.needs == SafeState::kDamp, "damps");
+  RC_CLASSIFY(first.needs == SafeState::kStanceHold, "holds its stance");
 }
 
 }  // namespace

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <string>
 #include <vector>
 
+#include "sim_hw/faults/fault_check.hpp"
 #include "tests/unit/tools/scenario_testing.hpp"
 #include "tools/scenario/field_table.hpp"
 
@@ -25,7 +27,7 @@ double number_in(const Range& range, double present) {
 
 template <typename Integer>
 Integer integer_in(const Range& range, Integer present) {
-  return static_cast<Integer>(number_in(range, static_cast<double>(present)));
+  return static_cast<Integer>(std::round(number_in(range, static_cast<double>(present))));
 }
 
 void set_at_random(const Field& field) {
@@ -66,6 +68,16 @@ Scenario random_scenario() {
   }
   std::stable_sort(scenario.sim.payloads.begin(), scenario.sim.payloads.end(),
                    [](const auto& a, const auto& b) { return a.at_s < b.at_s; });
+  const std::size_t faults = *rc::gen::inRange<std::size_t>(0, sim_hw::kMaxFaults + 1);
+  while (scenario.sim.faults.size() < faults) {
+    sim_hw::FaultConfig fault;
+    for (const Field& field : fields(fault)) {
+      const sim_hw::FaultConfig before = fault;
+      set_at_random(field);
+      if (sim_hw::find_problem(fault)) fault = before;
+    }
+    scenario.sim.faults.push_back(fault);
+  }
   return scenario;
 }
 
@@ -95,6 +107,10 @@ TEST(ScenarioRoundTrip, EffectiveScenarioReadsBackToTheSameBits) {
     for (std::size_t i = 0; i < read.sim.payloads.size(); ++i) {
       RC_ASSERT(bits(fields(read.sim.payloads[i])) == bits(fields(written.sim.payloads[i])));
     }
+    RC_ASSERT(read.sim.faults.size() == written.sim.faults.size());
+    for (std::size_t i = 0; i < read.sim.faults.size(); ++i) {
+      RC_ASSERT(bits(fields(read.sim.faults[i])) == bits(fields(written.sim.faults[i])));
+    }
     RC_ASSERT(to_toml(read) == text);
   }));
 }
@@ -110,8 +126,9 @@ TEST(ScenarioRoundTrip, RandomScenariosMoveMostKeysAwayFromTheirDefaults) {
       if (values[i] != unchanged[i]) has_moved[i] = true;
     }
   });
-  // All but the robot, of which there is one, and the two lengths that are zero and have little room.
-  EXPECT_GE(std::count(has_moved.begin(), has_moved.end(), true), static_cast<std::ptrdiff_t>(unchanged.size()) - 4);
+  // All but the robot, of which there is one, the two lengths that are zero and have little room, and the two bit
+  // rates, of which a bit must last a whole number of nanoseconds.
+  EXPECT_GE(std::count(has_moved.begin(), has_moved.end(), true), static_cast<std::ptrdiff_t>(unchanged.size()) - 6);
 }
 
 TEST(ScenarioRoundTrip, ScenarioOfAnySeedHasThatSeed) {

@@ -202,9 +202,120 @@ TEST_F(FrameExchangeTest, CountsEachNodeAndEachKindOfFrameOnItsOwn) {
   EXPECT_EQ(exchange.counters().lost, 0U);
 }
 
-TEST_F(FrameExchangeTest, RefusesTheHeartbeatOfANodeThatSpeaksAnotherProtocol) {
-  static_cast<void>(run_tick(1, {encode_heartbeat(Node::kLegLeft, {}, {.protocol_version = kProtocolVersion + 1})}));
-  EXPECT_EQ(rejected(Rejection::kImplausible), 1U);
+TEST_F(FrameExchangeTest, RefusesANodeThatAnnouncesAnotherProtocolUntilItAnnouncesTheRightOne) {
+  const auto heartbeat = [](std::uint8_t counter, std::uint8_t version) {
+    return encode_heartbeat(Node::kFootLeft, {.tick = 1, .counter = counter},
+                            {.state = NodeState::kOperational, .protocol_version = version});
+  };
+  static_cast<void>(run_tick(1, robot.answer(1)));
+  exchange.begin_tick(bus, 2);
+  bus.incoming = robot.answer(2);
+  bus.incoming.insert(bus.incoming.begin(), heartbeat(0, kProtocolVersion + 1));
+  EXPECT_FALSE(exchange.collect(bus)) << "its answer does not count";
+  EXPECT_EQ(exchange.finish_collecting().foot[index(Side::kLeft)].freshness.age_ticks, 1U);
+  EXPECT_EQ(rejected(Rejection::kForeignVersion), 2U);  // the heartbeat and the state
+  EXPECT_EQ(exchange.finding().fault, safety::Fault::kForeignVersion);
+  EXPECT_EQ(exchange.finding().needs, safety::SafeState::kStanceHold);
+  EXPECT_TRUE(exchange.node_status(Node::kFootLeft).is_foreign());
+  EXPECT_FALSE(run_tick(3, robot.answer(3)).foot[index(Side::kLeft)].freshness.is_fresh());
+
+  std::vector<CanFrame> answer = robot.answer(4);
+  answer.insert(answer.begin(), heartbeat(1, kProtocolVersion));
+  EXPECT_TRUE(run_tick(4, answer).foot[index(Side::kLeft)].freshness.is_fresh());
+  EXPECT_EQ(rejected(Rejection::kForeignVersion), 3U);
+  EXPECT_EQ(exchange.finding().fault, safety::Fault::kNone);
+}
+
+TEST_F(FrameExchangeTest, ShowsARestartedNodeAndAcceptsItsCountersFromZeroOnAgain) {
+  for (std::uint32_t tick = 1; tick <= 256; ++tick) static_cast<void>(run_tick(tick, robot.answer(tick)));
+  const Heartbeat operational{.state = NodeState::kOperational};
+  static_cast<void>(run_tick(257, {encode_heartbeat(Node::kTorsoImu, {.tick = 257, .counter = 0}, operational),
+                                   encode_imu({.tick = 257, .counter = 0}, {})}));
+  EXPECT_EQ(exchange.node_status(Node::kTorsoImu).restarts, 0U);
+  const SensorSnapshot& snapshot =
+      run_tick(258, {encode_heartbeat(Node::kTorsoImu, {.tick = 0, .counter = 0}, {.state = NodeState::kBootUp}),
+                     encode_imu({.tick = 258, .counter = 0}, {})});
+  EXPECT_TRUE(snapshot.torso.freshness.is_fresh());
+  EXPECT_EQ(rejected(), 0U);
+  EXPECT_EQ(exchange.node_status(Node::kTorsoImu).restarts, 1U);
+  EXPECT_EQ(exchange.node_status(Node::kTorsoImu).last_heartbeat_tick, 258U);
+}
+
+TEST_F(FrameExchangeTest, KeepsTheLastEmergencyOfEachNode) {
+  static_cast<void>(run_tick(7, {encode_emergency(Node::kLegLeft, {.tick = 7, .counter = 0}, {.code = 0x8150})}));
+  EXPECT_EQ(exchange.node_status(Node::kLegLeft).last_emergency_code, 0x8150);
+  EXPECT_EQ(exchange.node_status(Node::kLegLeft).emergencies, 1U);
+  EXPECT_EQ(exchange.node_status(Node::kLegRight).emergencies, 0U);
+}
+
+TEST_F(FrameExchangeTest, AnnouncesItselfAndWaitsUntilEverybodyHasAnnouncedTheRightVersion) {
+  exchange.announce(bus, NodeState::kPreOperational);
+  ASSERT_EQ(bus.sent.size(), 1U);
+  FrameStamp stamp;
+  Heartbeat heartbeat;
+  ASSERT_EQ(decode_heartbeat(bus.sent[0], stamp, heartbeat), Rejection::kNone);
+  EXPECT_EQ(bus.sent[0].identifier, heartbeat_identifier(Node::kController));
+  EXPECT_EQ(heartbeat.state, NodeState::kPreOperational);
+  for (const Node node : kSensorNodes) {
+    EXPECT_FALSE(exchange.is_everybody_ready());
+    bus.incoming = {encode_heartbeat(node, {}, {.state = NodeState::kPreOperational})};
+    exchange.listen(bus);
+  }
+  EXPECT_TRUE(exchange.is_everybody_ready());
+}
+
+TEST_F(FrameExchangeTest, TakesNoStateBeforeTheLoopAndNamesAMasterThatRunsAlready) {
+  bus.incoming = robot.answer(0);  // to a SYNC of somebody else
+  exchange.listen(bus);
+  EXPECT_EQ(rejected(Rejection::kLate), 5U);
+  EXPECT_EQ(exchange.finding().fault, safety::Fault::kNone);
+  bus.incoming = {encode_sync({.tick = 400'000})};
+  exchange.listen(bus);
+  EXPECT_EQ(exchange.finding().fault, safety::Fault::kSecondMaster);
+  exchange.announce(bus, NodeState::kPreOperational);
+  EXPECT_EQ(exchange.finding().fault, safety::Fault::kNone) << "heard since the last announcement, or not";
+}
+
+TEST_F(FrameExchangeTest, TellsASecondMasterFromAnOldFramePlayedBack) {
+  exchange.begin_tick(bus, 2000);
+  bus.incoming = {encode_sync({.tick = 1999}), encode_leg_command(Side::kRight, {.tick = 1999}, {})};
+  static_cast<void>(exchange.collect(bus));
+  EXPECT_EQ(exchange.finding().fault, safety::Fault::kNone);
+  EXPECT_EQ(exchange.counters().from_other_master, 0U);
+  bus.incoming = {encode_leg_command(Side::kRight, {.tick = 2000}, {})};
+  static_cast<void>(exchange.collect(bus));
+  EXPECT_EQ(exchange.finding().fault, safety::Fault::kSecondMaster);
+  EXPECT_EQ(exchange.finding().needs, safety::SafeState::kStanceHold);
+  EXPECT_EQ(exchange.counters().from_other_master, 1U);
+  EXPECT_EQ(rejected(Rejection::kUnknownIdentifier), 3U);
+}
+
+// The simulated robot in lockstep: a node that is dead by scenario is not waited for.
+TEST_F(FrameExchangeTest, IsCompleteWhenTheSimulatedRobotSaysThatItHasServedThisTick) {
+  exchange.begin_tick(bus, 70'000);
+  bus.incoming = {encode_lockstep_served({.tick = 69'999, .counter = 0})};
+  EXPECT_FALSE(exchange.collect(bus));
+  bus.incoming = {encode_lockstep_served({.tick = 70'000 - 65'536, .counter = 1})};
+  EXPECT_FALSE(exchange.collect(bus)) << "it carries all 32 bits";
+  EXPECT_EQ(rejected(Rejection::kLate), 2U);
+  bus.incoming = {encode_lockstep_served({.tick = 70'000, .counter = 2})};
+  EXPECT_TRUE(exchange.collect(bus));
+  EXPECT_EQ(exchange.finish_collecting().torso.freshness.was_heard(), false);
+  exchange.begin_tick(bus, 70'001);
+  EXPECT_FALSE(exchange.collect(bus)) << "the next tick is awaited anew";
+}
+
+TEST_F(FrameExchangeTest, ReportsAFaultAsAnEmergencyOfTheController) {
+  exchange.begin_tick(bus, 77);
+  bus.sent.clear();
+  exchange.report(bus, safety::Fault::kSensorImplausible);
+  ASSERT_EQ(bus.sent.size(), 1U);
+  FrameStamp stamp;
+  Emergency emergency;
+  EXPECT_EQ(bus.sent[0].identifier, emergency_identifier(Node::kController));
+  ASSERT_EQ(decode_emergency(bus.sent[0], stamp, emergency), Rejection::kNone);
+  EXPECT_EQ(emergency.code, 0xFF08);
+  EXPECT_EQ(stamp.tick, 77U);
 }
 
 TEST_F(FrameExchangeTest, CountsForeignersAndItsOwnIdentifiersSentByOthersAsUnknown) {

@@ -28,6 +28,7 @@ inline CanFrame frame(std::string_view candump) {
 
 /// Counter 0xA5, tick 0x12345678.
 inline constexpr std::string_view kSync = "080##16CBEA50078563412";
+inline constexpr std::string_view kLockstepServed = "7F0##12417A50078563412";
 
 /// Counter 7, tick 1200. Right: watchdog expired and damping, values at the ends of their ranges among
 /// them. Left: torque limited.

@@ -44,6 +44,14 @@ TEST(GoldenFrames, SyncIsWrittenAndReadAsByCantools) {
   EXPECT_EQ(stamp.counter, 0xA5);
 }
 
+TEST(GoldenFrames, LockstepServedIsWrittenAndReadAsByCantools) {
+  expect_same(encode_lockstep_served({.tick = 0x12345678, .counter = 0xA5}), golden::kLockstepServed);
+  FrameStamp stamp;
+  ASSERT_EQ(decode_lockstep_served(golden::frame(golden::kLockstepServed), stamp), Rejection::kNone);
+  EXPECT_EQ(stamp.tick, 0x12345678U);
+  EXPECT_EQ(stamp.counter, 0xA5);
+}
+
 TEST(GoldenFrames, LegStatesAreWrittenAndReadAsByCantools) {
   for (const Side side : kSides) {
     const std::size_t i = index(side);

@@ -242,6 +242,8 @@ TEST(Decoders, RefuseFramesOfAnotherKind) {
   EXPECT_EQ(decode_heartbeat(sync, stamp, heartbeat), Rejection::kUnknownIdentifier);
   EXPECT_EQ(decode_emergency(sync, stamp, emergency), Rejection::kUnknownIdentifier);
   EXPECT_EQ(decode_sync(encode_emergency(Node::kLegRight, {}, {}), stamp), Rejection::kUnknownIdentifier);
+  EXPECT_EQ(decode_sync(encode_lockstep_served({}), stamp), Rejection::kUnknownIdentifier);
+  EXPECT_EQ(decode_lockstep_served(sync, stamp), Rejection::kUnknownIdentifier);
 }
 
 TEST(Decoders, LeaveTheirOutputsAloneWhenTheyRefuse) {

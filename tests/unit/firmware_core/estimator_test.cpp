@@ -74,6 +74,17 @@ TEST(Estimator, TurnsTheCornersWithATiltedFoot) {
   EXPECT_GT(std::abs(estimate.zmp_x_body_m - 0.08), 1.0e-3);  // else the tilt did not matter
 }
 
+// Soles from heel (x - 0.08) to toe (x + 0.17) at x = -0.09: only a cell that pulls can put the ZMP outside.
+TEST(Estimator, SaysWhetherTheFilteredZmpLiesBetweenHeelAndToe) {
+  for (const double zmp_x_m : {-0.175, -0.169, -0.05, 0.079, 0.085}) {
+    const auto load = foot_load(400.0, zmp_x_m + 0.09);
+    EstimatorState state;
+    const Estimate estimate = step(kConfig, kRobot, state, standing_at(-0.09, {load, load}), 1.0e-3);
+    EXPECT_NEAR(estimate.filtered_zmp_x_body_m, zmp_x_m, 1e-12);
+    EXPECT_EQ(estimate.is_zmp_within_feet, zmp_x_m > -0.17 && zmp_x_m < 0.08) << zmp_x_m;
+  }
+}
+
 SensorSnapshot loaded_with(double force_n, double zmp_x_m) {
   const auto load = foot_load(0.5 * force_n, zmp_x_m + 0.09);
   return standing_at(-0.09, {load, load});

@@ -5,8 +5,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <set>
-#include <string>
 
 namespace surefoot::safety {
 namespace {
@@ -50,8 +48,9 @@ void expect_torque(const PerSide<LegCommand>& command, double torque_nm) {
 struct Gate {
   OutputGateConfig config{};
   OutputGateState state{};
+  GateOrders orders{};
   PerSide<LegCommand> tick(const SensorSnapshot& sensors, const PerSide<LegVector>& wanted) {
-    return step(config, state, wanted, sensors, kPeriodS);
+    return step(config, state, wanted, sensors, orders, kPeriodS);
   }
 };
 
@@ -66,7 +65,7 @@ TEST(OutputGate, PassesTorquesWithinTheLimitsUntouchedToTheirOwnJoint) {
   const PerSide<LegCommand> command = gate.tick(fresh_sensors(), wanted);
   for (std::size_t leg = 0; leg < 2; ++leg) EXPECT_EQ(command[leg].torque_nm, wanted[leg]);
   EXPECT_EQ(command[0].mode, LegMode::kTorque);
-  EXPECT_EQ(gate.state.latched, Fault::kNone);
+  EXPECT_EQ(gate.state.latched.fault, Fault::kNone);
 }
 
 TEST(OutputGate, LimitsTheTorqueInBothDirections) {
@@ -93,29 +92,36 @@ TEST(OutputGate, RampsWithTheRateLimitTimesThePeriod) {
   }
 }
 
-TEST(OutputGate, HoldsTheLastTorquesWhileAnyNodeRidesThrough) {
+// The servo works on encoders: a foot or IMU that is late does not concern it, one leg does not concern the other.
+TEST(OutputGate, HoldsTheLastTorquesOfALateLegBoardAndOfNobodyElse) {
   for (std::size_t node = 0; node < 5; ++node) {
     Gate gate;
     expect_torque(gate.tick(fresh_sensors(), all_joints(50.0)), 50.0);
     for (std::uint32_t age = 1; age <= gate.config.ride_through_ticks; ++age) {
       SensorSnapshot sensors = fresh_sensors();
       nodes_of(sensors)[node]->age_ticks = age;
-      expect_torque(gate.tick(sensors, all_joints(-10.0)), 50.0);
+      const PerSide<LegCommand> command = gate.tick(sensors, all_joints(-10.0));
+      for (std::size_t leg = 0; leg < 2; ++leg) {
+        EXPECT_EQ(command[leg].mode, LegMode::kTorque);
+        for (const double torque : command[leg].torque_nm) EXPECT_DOUBLE_EQ(torque, node == leg ? 50.0 : -10.0);
+      }
     }
     expect_torque(gate.tick(fresh_sensors(), all_joints(-10.0)), -10.0);
-    EXPECT_EQ(gate.state.latched, Fault::kNone);
+    EXPECT_EQ(gate.state.latched.fault, Fault::kNone);
   }
 }
 
-TEST(OutputGate, LatchesWhenAnyNodeIsSilentBeyondTheRideThrough) {
+TEST(OutputGate, DampsWhenALegBoardIsSilentBeyondTheRideThroughAndGoesOnWithoutAFootOrTheImu) {
   for (std::size_t node = 0; node < 5; ++node) {
     for (const std::uint32_t age : {11U, 1000U, Freshness::kNeverHeard}) {
       Gate gate;
       static_cast<void>(gate.tick(fresh_sensors(), all_joints(50.0)));
       SensorSnapshot sensors = fresh_sensors();
       nodes_of(sensors)[node]->age_ticks = age;
-      expect_damped(gate.tick(sensors, all_joints(50.0)));
-      EXPECT_EQ(gate.state.latched, Fault::kSensorSilent);
+      const PerSide<LegCommand> command = gate.tick(sensors, all_joints(60.0));
+      EXPECT_EQ(gate.state.latched.fault, Fault::kSensorSilent);
+      EXPECT_EQ(gate.state.latched.needs, node < 2 ? SafeState::kDamp : SafeState::kStanceHold);
+      node < 2 ? expect_damped(command) : expect_torque(command, 60.0);
     }
   }
 }
@@ -127,12 +133,13 @@ TEST(OutputGate, DampsWithoutAFaultUntilEveryNodeHasAnswered) {
     nodes_of(sensors)[node]->age_ticks = Freshness::kNeverHeard;
     for (std::uint32_t tick = 0; tick < gate.config.ride_through_ticks; ++tick) {
       expect_damped(gate.tick(sensors, all_joints(50.0)));
-      EXPECT_EQ(gate.state.latched, Fault::kNone);
+      EXPECT_EQ(gate.state.latched.fault, Fault::kNone);
     }
     Gate late = gate;
     expect_torque(late.tick(fresh_sensors(), all_joints(50.0)), 50.0);
     expect_damped(gate.tick(sensors, all_joints(50.0)));
-    EXPECT_EQ(gate.state.latched, Fault::kSensorSilent);
+    EXPECT_EQ(gate.state.latched.fault, Fault::kSensorSilent);
+    EXPECT_EQ(gate.state.latched.needs, SafeState::kDamp);
   }
 }
 
@@ -143,7 +150,7 @@ TEST(OutputGate, LatchesForANodeThatFallsSilentWhileAnotherIsAwaited) {
   sensors.torso.freshness.age_ticks = Freshness::kNeverHeard;
   sensors.leg[1].freshness.age_ticks = 11;
   expect_damped(gate.tick(sensors, all_joints(0.0)));
-  EXPECT_EQ(gate.state.latched, Fault::kSensorSilent);
+  EXPECT_EQ(gate.state.latched.fault, Fault::kSensorSilent);
 }
 
 TEST(OutputGate, LatchesWhenAnyWantedTorqueIsNotFinite) {
@@ -154,7 +161,7 @@ TEST(OutputGate, LatchesWhenAnyWantedTorqueIsNotFinite) {
         PerSide<LegVector> wanted = all_joints(10.0);
         wanted[leg][joint] = bad;
         expect_damped(gate.tick(fresh_sensors(), wanted));
-        EXPECT_EQ(gate.state.latched, Fault::kTorqueNotFinite);
+        EXPECT_EQ(gate.state.latched.fault, Fault::kTorqueNotFinite);
       }
     }
   }
@@ -177,7 +184,7 @@ TEST(OutputGate, LatchesOutsideEachJointsOwnRange) {
         SensorSnapshot sensors = fresh_sensors();
         sensors.leg[leg].angle_rad[joint] = bad;
         expect_damped(gate.tick(sensors, all_joints(1.0)));
-        EXPECT_EQ(gate.state.latched, Fault::kJointOutOfRange);
+        EXPECT_EQ(gate.state.latched.fault, Fault::kJointOutOfRange);
       }
     }
   }
@@ -197,7 +204,7 @@ TEST(OutputGate, LatchesWhenAnyJointIsTooFastInEitherDirection) {
         SensorSnapshot sensors = fresh_sensors();
         sensors.leg[leg].rate_rad_s[joint] = bad;
         expect_damped(gate.tick(sensors, all_joints(1.0)));
-        EXPECT_EQ(gate.state.latched, Fault::kJointOverspeed);
+        EXPECT_EQ(gate.state.latched.fault, Fault::kJointOverspeed);
       }
     }
   }
@@ -211,7 +218,7 @@ TEST(OutputGate, DoesNotAccuseAJointByAnOldMeasurement) {
   sensors.leg[0].rate_rad_s[1] = 300.0;
   sensors.leg[0].freshness.age_ticks = 1;
   expect_torque(gate.tick(sensors, all_joints(5.0)), 5.0);
-  EXPECT_EQ(gate.state.latched, Fault::kNone);
+  EXPECT_EQ(gate.state.latched.fault, Fault::kNone);
 }
 
 TEST(OutputGate, NamesTheCauseWhenOneTickShowsSeveralFaults) {
@@ -220,15 +227,71 @@ TEST(OutputGate, NamesTheCauseWhenOneTickShowsSeveralFaults) {
   sensors.leg[1].rate_rad_s[0] = 30.0;
   Gate fast;
   expect_damped(fast.tick(sensors, wanted));
-  EXPECT_EQ(fast.state.latched, Fault::kJointOverspeed);
+  EXPECT_EQ(fast.state.latched.fault, Fault::kJointOverspeed);
   sensors.leg[1].angle_rad[0] = 3.0;
   Gate outside;
   expect_damped(outside.tick(sensors, wanted));
-  EXPECT_EQ(outside.state.latched, Fault::kJointOutOfRange);
+  EXPECT_EQ(outside.state.latched.fault, Fault::kJointOutOfRange);
   sensors.foot[0].freshness.age_ticks = 11;
   Gate silent;
   expect_damped(silent.tick(sensors, wanted));
-  EXPECT_EQ(silent.state.latched, Fault::kSensorSilent);
+  EXPECT_EQ(silent.state.latched.fault, Fault::kSensorSilent);
+  Gate told;
+  told.orders.reported = finding_of(Fault::kSecondMaster);
+  expect_damped(told.tick(sensors, wanted));
+  EXPECT_EQ(told.state.latched.fault, Fault::kSecondMaster);
+  EXPECT_EQ(told.state.latched.needs, SafeState::kDamp) << "the joint asks for worse than the master";
+}
+
+TEST(OutputGate, GoesOnWithTheTorquesInAStanceHoldAndNeverBackToNone) {
+  Gate gate;
+  gate.orders.reported = finding_of(Fault::kLoopOverrun);
+  expect_torque(gate.tick(fresh_sensors(), all_joints(20.0)), 20.0);
+  gate.orders.reported = {};
+  for (int tick = 0; tick < 1000; ++tick) expect_torque(gate.tick(fresh_sensors(), all_joints(30.0)), 30.0);
+  EXPECT_EQ(gate.state.latched.fault, Fault::kLoopOverrun);
+  EXPECT_EQ(gate.state.latched.needs, SafeState::kStanceHold);
+}
+
+// Each way from the stance hold to damping; the first fault keeps its number.
+TEST(OutputGate, GoesFromAStanceHoldToDampingWhenAWorseFaultFollows) {
+  SensorSnapshot silent = fresh_sensors();
+  silent.leg[1].freshness.age_ticks = 11;
+  SensorSnapshot fast = fresh_sensors();
+  fast.leg[0].rate_rad_s[2] = 26.0;
+  SensorSnapshot folded = fresh_sensors();
+  folded.leg[0].angle_rad[3] = 2.7;
+  for (const SensorSnapshot& worse : {silent, fast, folded}) {
+    Gate gate;
+    gate.orders.reported = finding_of_node(Fault::kSensorImplausible, false);
+    expect_torque(gate.tick(fresh_sensors(), all_joints(20.0)), 20.0);
+    gate.orders.reported = {};
+    expect_damped(gate.tick(worse, all_joints(20.0)));
+    expect_damped(gate.tick(fresh_sensors(), all_joints(20.0)));
+    EXPECT_EQ(gate.state.latched.fault, Fault::kSensorImplausible);
+    EXPECT_EQ(gate.state.latched.needs, SafeState::kDamp);
+  }
+}
+
+TEST(OutputGate, DampsWithoutAFaultWhileItWaitsForThePosture) {
+  Gate gate;
+  gate.orders.is_waiting_for_posture = true;
+  SensorSnapshot sensors = fresh_sensors();
+  for (LegSensors& leg : sensors.leg) leg.is_damping = true;  // as they are told to
+  for (int tick = 0; tick < 1000; ++tick) expect_damped(gate.tick(sensors, all_joints(20.0)));
+  EXPECT_EQ(gate.state.latched.fault, Fault::kNone);
+  gate.orders.is_waiting_for_posture = false;
+  expect_torque(gate.tick(sensors, all_joints(20.0)), 20.0);
+}
+
+// There is no stance to hold yet: a foot that falls silent damps for good.
+TEST(OutputGate, DampsForGoodAfterAnyFaultBeforeTheFirstTorque) {
+  Gate gate;
+  gate.orders = {.reported = finding_of(Fault::kLoopOverrun), .is_waiting_for_posture = true};
+  expect_damped(gate.tick(fresh_sensors(), all_joints(20.0)));
+  gate.orders = {};
+  expect_damped(gate.tick(fresh_sensors(), all_joints(20.0)));
+  EXPECT_EQ(gate.state.latched.needs, SafeState::kDamp);
 }
 
 TEST(OutputGate, KeepsTheFirstFaultAndDampsUntilItsStateIsReplaced) {
@@ -239,23 +302,12 @@ TEST(OutputGate, KeepsTheFirstFaultAndDampsUntilItsStateIsReplaced) {
   fast.leg[0].rate_rad_s[0] = 99.0;
   expect_damped(gate.tick(fast, all_joints(1.0)));
   for (int tick = 0; tick < 1000; ++tick) expect_damped(gate.tick(fresh_sensors(), all_joints(1.0)));
-  EXPECT_EQ(gate.state.latched, Fault::kTorqueNotFinite);
+  EXPECT_EQ(gate.state.latched.fault, Fault::kTorqueNotFinite);
   gate.state = {};
   expect_torque(gate.tick(fresh_sensors(), all_joints(1.0)), 1.0);
 }
 
-TEST(Fault, HasANameOfItsOwnForEachNumber) {
-  const std::array faults{
-      Fault::kNone,           Fault::kSensorSilent, Fault::kTorqueNotFinite, Fault::kJointOutOfRange,
-      Fault::kJointOverspeed, Fault::kBoardDamping};
-  std::set<std::string> names;
-  for (const Fault fault : faults) names.insert(name(fault));
-  EXPECT_EQ(names, (std::set<std::string>{"none", "sensor_silent", "torque_not_finite", "joint_out_of_range",
-                                          "joint_overspeed", "board_damping"}));
-  EXPECT_STREQ(name(static_cast<Fault>(99)), "unknown");
-}
-
-/// Torques that do not arrive: the board's watchdog damps the joints and says so in its state.
+// Torques that do not arrive: the board's watchdog damps the joints and says so in its state.
 TEST(OutputGate, LatchesWhenABoardDampsAgainstItsOrdersForLongerThanTheRideThrough) {
   for (const std::size_t leg : {0U, 1U}) {
     Gate gate;
@@ -265,7 +317,7 @@ TEST(OutputGate, LatchesWhenABoardDampsAgainstItsOrdersForLongerThanTheRideThrou
       expect_torque(gate.tick(sensors, all_joints(5.0)), 5.0);
     }
     expect_damped(gate.tick(sensors, all_joints(5.0)));
-    EXPECT_EQ(gate.state.latched, Fault::kBoardDamping);
+    EXPECT_EQ(gate.state.latched.fault, Fault::kBoardDamping);
   }
 }
 
@@ -289,7 +341,7 @@ TEST(OutputGate, DoesNotHoldTheLastWordOfASilentBoardAgainstIt) {
     gate.tick(sensors, all_joints(5.0));
   }
   EXPECT_EQ(gate.state.damped_ticks, 0U);
-  EXPECT_EQ(gate.state.latched, Fault::kNone);
+  EXPECT_EQ(gate.state.latched.fault, Fault::kNone);
 }
 
 }  // namespace

@@ -25,7 +25,11 @@ TEST(ReflexPhase, FollowsEveryLegalEdge) {
   EXPECT_EQ(next_phase(P::kShifting, E::kShifted), P::kRestoring);
   EXPECT_EQ(next_phase(P::kRestoring, E::kRestored), P::kResting);
   EXPECT_EQ(next_phase(P::kResting, E::kRested), P::kWalking);
-  EXPECT_EQ(kReflexEdges.size(), 7U);
+  for (const P phase :
+       {P::kStanding, P::kWalking, P::kReflex, P::kSettling, P::kShifting, P::kRestoring, P::kResting}) {
+    EXPECT_EQ(next_phase(phase, E::kStopOrdered), P::kStopped);
+  }
+  EXPECT_EQ(kReflexEdges.size(), 14U);
 }
 
 TEST(ReflexPhase, RefusesEveryPairThatIsNotInTheTable) {
@@ -37,13 +41,13 @@ TEST(ReflexPhase, RefusesEveryPairThatIsNotInTheTable) {
       ++illegal;
     }
   }
-  EXPECT_EQ(illegal, 7 * 7 - 7);
+  EXPECT_EQ(illegal, 8 * 8 - 14);
 }
 
-TEST(ReflexPhase, HasOneWayOutOfEachPhase) {
+TEST(ReflexPhase, HasOneWayOutOfEachPhaseBesideTheStopAndNoneOutOfThat) {
   for (const ReflexPhase phase : kReflexPhases) {
     EXPECT_EQ(std::count_if(kReflexEdges.begin(), kReflexEdges.end(), [&](const Edge& e) { return e.from == phase; }),
-              1);
+              phase == ReflexPhase::kStopped ? 0 : 2);
   }
 }
 

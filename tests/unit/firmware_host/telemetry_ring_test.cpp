@@ -10,6 +10,7 @@
 
 #include "firmware/can/messages.hpp"
 #include "firmware/core/decision/reflex_phase.hpp"
+#include "firmware/core/safety/safe_state.hpp"
 #include "firmware/host/allocation_guard.hpp"
 
 namespace surefoot::host {
@@ -74,6 +75,7 @@ TEST(MessageConstants, AgreeWithTheFirmwaresEnumerations) {
   EXPECT_EQ(std::int8_t{controller_state_t::PHASE_SHIFTING}, value(ReflexPhase::kShifting));
   EXPECT_EQ(std::int8_t{controller_state_t::PHASE_RESTORING}, value(ReflexPhase::kRestoring));
   EXPECT_EQ(std::int8_t{controller_state_t::PHASE_RESTING}, value(ReflexPhase::kResting));
+  EXPECT_EQ(std::int8_t{controller_state_t::PHASE_STOPPED}, value(ReflexPhase::kStopped));
   EXPECT_EQ(std::int8_t{event_t::STANDING_DONE}, value(ReflexEvent::kStandingDone));
   EXPECT_EQ(std::int8_t{event_t::PAYLOAD_DETECTED}, value(ReflexEvent::kPayloadDetected));
   EXPECT_EQ(std::int8_t{event_t::REFLEX_DONE}, value(ReflexEvent::kReflexDone));
@@ -81,12 +83,17 @@ TEST(MessageConstants, AgreeWithTheFirmwaresEnumerations) {
   EXPECT_EQ(std::int8_t{event_t::SHIFTED}, value(ReflexEvent::kShifted));
   EXPECT_EQ(std::int8_t{event_t::RESTORED}, value(ReflexEvent::kRestored));
   EXPECT_EQ(std::int8_t{event_t::RESTED}, value(ReflexEvent::kRested));
+  EXPECT_EQ(std::int8_t{event_t::STOP_ORDERED}, value(ReflexEvent::kStopOrdered));
+  EXPECT_EQ(std::int8_t{controller_state_t::SAFE_NONE}, value(safety::SafeState::kNone));
+  EXPECT_EQ(std::int8_t{controller_state_t::SAFE_STANCE_HOLD}, value(safety::SafeState::kStanceHold));
+  EXPECT_EQ(std::int8_t{controller_state_t::SAFE_DAMP}, value(safety::SafeState::kDamp));
   EXPECT_EQ(std::int8_t{bus_statistics_t::REJECTED_UNKNOWN_IDENTIFIER}, value(can::Rejection::kUnknownIdentifier));
   EXPECT_EQ(std::int8_t{bus_statistics_t::REJECTED_WRONG_LENGTH}, value(can::Rejection::kWrongLength));
   EXPECT_EQ(std::int8_t{bus_statistics_t::REJECTED_WRONG_CRC}, value(can::Rejection::kWrongCrc));
   EXPECT_EQ(std::int8_t{bus_statistics_t::REJECTED_REPEATED}, value(can::Rejection::kRepeated));
   EXPECT_EQ(std::int8_t{bus_statistics_t::REJECTED_LATE}, value(can::Rejection::kLate));
   EXPECT_EQ(std::int8_t{bus_statistics_t::REJECTED_IMPLAUSIBLE}, value(can::Rejection::kImplausible));
+  EXPECT_EQ(std::int8_t{bus_statistics_t::REJECTED_FOREIGN_VERSION}, value(can::Rejection::kForeignVersion));
 }
 
 }  // namespace

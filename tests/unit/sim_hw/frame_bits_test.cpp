@@ -104,25 +104,5 @@ TEST(FrameBits, DurationFollowsTheBitTimes) {
   EXPECT_EQ(duration_ns({.nominal = 30, .data = 100}, {.nominal_bit_ns = 2000, .data_bit_ns = 500}), 110'000U);
 }
 
-// Ten empty frames of 36.6 us in one millisecond.
-TEST(BusLoad, IsTheShareOfTheTimeThatFramesTake) {
-  BusLoad load;
-  for (int i = 0; i < 10; ++i) load.add(frame_of(0x080, 0, 0));
-  EXPECT_EQ(load.busy_ns(), 366'000U);
-  EXPECT_DOUBLE_EQ(load.percent(1'000'000), 36.6);
-}
-
-TEST(BusLoad, OfNoTimeAtAllIsZero) {
-  BusLoad load;
-  load.add(frame_of(0x080, 0, 0));
-  EXPECT_EQ(load.percent(0), 0.0);
-}
-
-TEST(BusLoad, MayPassOneHundredPercentWhenFramesDoNotFit) {
-  BusLoad load;
-  for (int i = 0; i < 30; ++i) load.add(frame_of(0x080, 0, 0));
-  EXPECT_GT(load.percent(1'000'000), 100.0);
-}
-
 }  // namespace
 }  // namespace surefoot::sim_hw

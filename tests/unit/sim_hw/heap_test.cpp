@@ -32,12 +32,13 @@ void* realloc(void* old, std::size_t size) {
 namespace surefoot::sim_hw {
 namespace {
 
-TEST(Heap, IsLeftAloneWhileTheRobotServes) {
-  SimConfig config;
-  config.payloads.push_back({.mass_kg = 5.0, .at_s = 0.02});
+/// Allocations while a robot stands for 0.1 s and then loses its master.
+long allocations_of(const SimConfig& config) {
   const PerSide<LegVector> pose = testing::stance(config.geometry);
   SimulatedRobot robot(config, pose);
   testing::Puppeteer puppeteer(robot);
+  puppeteer.wire.from_robot.reserve(2048);
+  allocations = 0;
   armed = true;
   for (int i = 0; i < 100; ++i) {
     puppeteer.sync();
@@ -46,8 +47,25 @@ TEST(Heap, IsLeftAloneWhileTheRobotServes) {
   }
   for (int i = 0; i < 50; ++i) puppeteer.sync();  // watchdog and emergencies
   armed = false;
-  EXPECT_EQ(allocations.load(), 0);
   EXPECT_EQ(robot.truth().payload_kg, 5.0);
+  return allocations.load();
+}
+
+TEST(Heap, IsLeftAloneWhileTheRobotServes) {
+  SimConfig config;
+  config.payloads.push_back({.mass_kg = 5.0, .at_s = 0.02});
+  EXPECT_EQ(allocations_of(config), 0);
+}
+
+TEST(Heap, IsLeftAloneByEveryKindOfFault) {
+  for (std::size_t kind = 0; kind < kFaultKinds; ++kind) {
+    SimConfig config;
+    config.payloads.push_back({.mass_kg = 5.0, .at_s = 0.02});
+    const auto of_kind = static_cast<FaultKind>(kind);
+    const FaultTarget target = of_kind == FaultKind::kLinkDown ? FaultTarget::kBus : FaultTarget::kFootLeft;
+    config.faults = {{.kind = of_kind, .target = target, .at_s = 0.03, .for_s = 0.05}};
+    EXPECT_EQ(allocations_of(config), 0) << kind;
+  }
 }
 
 TEST(Heap, GuardSeesAnAllocation) {

@@ -169,7 +169,6 @@ TEST_F(LegBoardTest, KeepsItsTorqueUnderEveryFrameItMustRefuse) {
   ASSERT_EQ(board().on_command(good, outbox), can::Rejection::kNone);
   (void)step();
   EXPECT_EQ(board().on_command(good, outbox), can::Rejection::kRepeated);
-  EXPECT_EQ(board().on_command(frame({}), outbox), can::Rejection::kRepeated) << "a second command in one tick";
 
   sync();
   EXPECT_EQ(board().on_command(good, outbox), can::Rejection::kLate) << "a replay";
@@ -187,6 +186,85 @@ TEST_F(LegBoardTest, KeepsItsTorqueUnderEveryFrameItMustRefuse) {
             can::Rejection::kUnknownIdentifier);
   EXPECT_EQ(step(), kTorque);
   EXPECT_FALSE(board().has_command());
+}
+
+TEST_F(LegBoardTest, TakesTheSameCommandOnceMoreForARepeat) {
+  sync();
+  const can::CanFrame good = frame(kTorque);
+  ASSERT_EQ(board().on_command(good, outbox), can::Rejection::kNone);
+  (void)sent();
+  EXPECT_EQ(board().on_command(good, outbox), can::Rejection::kRepeated);
+  EXPECT_EQ(step(), kTorque);
+  EXPECT_TRUE(sent().empty());
+}
+
+// Neither the first nor the second, nor what one of them sends later: whom to obey?
+TEST_F(LegBoardTest, ObeysNobodyOnceItHasHeardTwoMastersInOneTick) {
+  sync();
+  ASSERT_EQ(board().on_command(frame(kTorque), outbox), can::Rejection::kNone);
+  (void)step();
+  (void)sent();
+  EXPECT_EQ(board().on_command(frame({}), outbox), can::Rejection::kRepeated);
+  EXPECT_EQ(step(), damped());
+  const auto frames = sent();
+  ASSERT_EQ(frames.size(), 1U);
+  can::FrameStamp stamp;
+  can::Emergency emergency;
+  ASSERT_EQ(can::decode_emergency(frames[0], stamp, emergency), can::Rejection::kNone);
+  EXPECT_EQ(emergency.code, 0x8150);
+
+  for (int tick_after = 0; tick_after < 30; ++tick_after) {
+    sync();
+    EXPECT_NE(board().on_command(frame(kTorque), outbox), can::Rejection::kNone);
+    EXPECT_TRUE(board().has_command()) << "in lockstep the world goes on";
+    EXPECT_EQ(step(), damped());
+    EXPECT_EQ(step(), damped());
+  }
+  for (const can::CanFrame& out : sent()) {
+    EXPECT_NE(out.identifier, can::emergency_identifier(can::Node::kLegLeft)) << "said once; and nobody is silent";
+  }
+}
+
+TEST_F(LegBoardTest, DropsWhatIsOnItsWayWhenItHearsTwoMasters) {
+  config.command_latency_s = 5.0e-3;
+  sync();
+  ASSERT_EQ(board().on_command(frame(kTorque), outbox), can::Rejection::kNone);
+  (void)board().on_command(frame({}), outbox);
+  for (int i = 0; i < 30; ++i) EXPECT_EQ(step(), damped());
+}
+
+TEST_F(LegBoardTest, ObeysANewMasterAfterTheTwoAreGone) {
+  sync();
+  ASSERT_EQ(board().on_command(frame(kTorque), outbox), can::Rejection::kNone);
+  (void)board().on_command(frame({}), outbox);
+  board().release_master();
+  EXPECT_EQ(board().on_command(frame(kTorque), outbox), can::Rejection::kLate) << "it has not sent SYNC yet";
+  EXPECT_EQ(step(), damped());
+  sync();
+  ASSERT_EQ(board().on_command(frame(kTorque), outbox), can::Rejection::kNone);
+  EXPECT_EQ(step(), kTorque);
+}
+
+TEST_F(LegBoardTest, BeginsAnewWhenItsPowerComesBack) {
+  config.command_latency_s = 5.0e-3;
+  sync();
+  ASSERT_EQ(board().on_command(frame(kTorque), outbox), can::Rejection::kNone);
+  (void)sent();
+  board().restart(outbox);
+  const auto boot_up = sent();
+  ASSERT_EQ(boot_up.size(), 1U);
+  can::FrameStamp stamp;
+  can::Heartbeat heartbeat;
+  ASSERT_EQ(can::decode_heartbeat(boot_up[0], stamp, heartbeat), can::Rejection::kNone);
+  EXPECT_EQ(heartbeat.state, can::NodeState::kBootUp);
+  EXPECT_EQ(board().on_command(frame(kTorque), outbox), can::Rejection::kLate) << "no SYNC since";
+  for (int i = 0; i < 100; ++i) ASSERT_EQ(step(), damped()) << "what was on its way is forgotten";
+  EXPECT_TRUE(sent().empty()) << "no watchdog before the first command";
+  sync();
+  LegSensors sensors;
+  can::LegStatus status;
+  ASSERT_EQ(can::decode_leg_state(sent().front(), stamp, sensors, status), can::Rejection::kNone);
+  EXPECT_EQ(stamp.counter, 0);
 }
 
 TEST_F(LegBoardTest, QuantisesItsEncodersToTheirResolution) {

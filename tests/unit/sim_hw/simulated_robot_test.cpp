@@ -7,39 +7,14 @@
 #include <string>
 
 #include "sim_hw/world/bullet_math.hpp"
-#include "tests/unit/sim_hw/standing.hpp"
-#include "tests/unit/sim_hw/wire.hpp"
+#include "tests/unit/sim_hw/held_robot.hpp"
 
 namespace surefoot::sim_hw {
 namespace {
 
-using testing::hold;
+using testing::HeldRobot;
 using testing::Puppeteer;
 using testing::stance;
-
-/// A robot on its wire, held standing by a PD on what its frames say.
-struct HeldRobot {
-  explicit HeldRobot(const SimConfig& config) : pose(stance(config.geometry)), robot(config, pose), puppeteer(robot) {}
-
-  PerSide<LegVector> wanted() const {
-    const PerSide<LegVector> angle{puppeteer.leg[0].angle_rad, puppeteer.leg[1].angle_rad};
-    const PerSide<LegVector> rate{puppeteer.leg[0].rate_rad_s, puppeteer.leg[1].rate_rad_s};
-    return hold(pose, angle, rate);
-  }
-
-  void tick() {
-    puppeteer.sync();
-    puppeteer.command(wanted());
-  }
-
-  void stand(double duration_s) {
-    for (double t = 0.0; t < duration_s; t += 1.0e-3) tick();
-  }
-
-  PerSide<LegVector> pose;
-  SimulatedRobot robot;
-  Puppeteer puppeteer;
-};
 
 double sum(const FootSensors& foot) {
   double total = 0.0;

@@ -109,6 +109,27 @@ TEST_F(EventWatchTest, TellsAFaultOnceWithItsNumberAndName) {
   EXPECT_THAT(names(), IsEmpty());
 }
 
+TEST_F(EventWatchTest, TellsWhichFaultsBeginAndEnd) {
+  truth.faults_active = 0b101;
+  const std::span<const RunEvent> begun = watch.observe(output, truth);
+  ASSERT_EQ(begun.size(), 2U);
+  EXPECT_EQ(begun[0].code, event_t::FAULT_INJECTED);
+  EXPECT_STREQ(begun[0].name, event_name(event_t::FAULT_INJECTED, 0.0));
+  EXPECT_DOUBLE_EQ(begun[0].value, 0.0);
+  EXPECT_DOUBLE_EQ(begun[1].value, 2.0);
+  EXPECT_THAT(names(), IsEmpty());
+  truth.faults_active = 0b001;
+  const RunEvent ended = only_event();
+  EXPECT_EQ(ended.code, event_t::FAULT_ENDED);
+  EXPECT_STREQ(ended.name, "fault_ended");
+  EXPECT_DOUBLE_EQ(ended.value, 2.0);
+}
+
+TEST_F(EventWatchTest, HasRoomForEveryFaultInOneTick) {
+  truth.faults_active = (1U << sim_hw::kMaxFaults) - 1U;
+  EXPECT_EQ(names().size(), sim_hw::kMaxFaults);
+}
+
 // Everything at once: the world first, then what the firmware makes of it.
 TEST_F(EventWatchTest, TellsAllThatHappensInOneTickInOrder) {
   truth.payloads_hung = 1;

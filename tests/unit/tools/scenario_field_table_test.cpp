@@ -14,20 +14,27 @@
 namespace surefoot::scenario {
 namespace {
 
-std::vector<Field> all_fields(Scenario& scenario, sim_hw::PayloadConfig& payload) {
-  std::vector<Field> all = fields(scenario);
-  for (const Field& field : fields(payload)) all.push_back(field);
-  return all;
-}
+/// A scenario, a load and a fault, with every key of theirs.
+struct Everything {
+  [[nodiscard]] std::vector<Field> all_fields() {
+    std::vector<Field> all = fields(scenario);
+    for (const Field& field : fields(payload)) all.push_back(field);
+    for (const Field& field : fields(fault)) all.push_back(field);
+    return all;
+  }
+
+  Scenario scenario;
+  sim_hw::PayloadConfig payload;
+  sim_hw::FaultConfig fault;
+};
 
 bool is_number(const Field& field) {
   return !std::holds_alternative<bool*>(field.target) && !std::holds_alternative<Choice>(field.target);
 }
 
 TEST(ScenarioFields, EveryKeyIsDocumentedAndEveryNumberHasAUnitAndARange) {
-  Scenario scenario;
-  sim_hw::PayloadConfig payload;
-  for (const Field& field : all_fields(scenario, payload)) {
+  Everything everything;
+  for (const Field& field : everything.all_fields()) {
     SCOPED_TRACE(field.key);
     EXPECT_GE(field.doc.size(), 10U);
     EXPECT_EQ(is_number(field), !field.unit.empty());
@@ -51,9 +58,8 @@ TEST(ScenarioFields, NamesOfNumbersEndWithTheirUnit) {
   const std::vector<std::pair<std::string, std::string>> suffixes{{"s", "_s"},     {"m", "_m"},        {"kg", "_kg"},
                                                                   {"N", "_n"},     {"N m", "_nm"},     {"rad", "_rad"},
                                                                   {"deg", "_deg"}, {"ticks", "_ticks"}};
-  Scenario scenario;
-  sim_hw::PayloadConfig payload;
-  for (const Field& field : all_fields(scenario, payload)) {
+  Everything everything;
+  for (const Field& field : everything.all_fields()) {
     for (const auto& [unit, suffix] : suffixes) {
       EXPECT_TRUE(field.unit != unit || field.key.ends_with(suffix)) << field.key << " in " << unit;
     }
@@ -78,6 +84,7 @@ TEST(ScenarioFields, ListOfKeysAndEffectiveScenarioShowEachKey) {
     EXPECT_THAT(text, testing::HasSubstr(fmt::format("\n{} = ", field.key.substr(field.key.find('.') + 1))));
   }
   EXPECT_THAT(list, testing::HasSubstr("  payload.N.mass_kg "));
+  EXPECT_THAT(list, testing::HasSubstr("  fault.N.kind "));
 }
 
 /// Bytes of an object that some key writes, or that have a reason not to.
@@ -140,6 +147,7 @@ TEST(ScenarioFields, EveryMemberOfTheConfigurationHasAKey) {
   coverage.add(scenario.robot);
   coverage.add(scenario.plant);
   coverage.add(scenario.sim.payloads);
+  coverage.add(scenario.sim.faults);
   coverage.add(scenario.sim.geometry);                    // share_numbers
   coverage.add(scenario.sim.control_period_s);            // share_numbers
   coverage.add(scenario.firmware.servo.torque_limit_nm);  // share_numbers
@@ -150,6 +158,11 @@ TEST(ScenarioFields, EveryMemberOfTheConfigurationHasAKey) {
   Coverage payload_coverage(payload);
   for (const Field& field : fields(payload)) payload_coverage.add(field);
   EXPECT_LT(payload_coverage.longest_gap(), 8U);
+
+  sim_hw::FaultConfig fault;
+  Coverage fault_coverage(fault);
+  for (const Field& field : fields(fault)) fault_coverage.add(field);
+  EXPECT_LT(fault_coverage.longest_gap(), 8U);
 }
 
 /// First byte that a key writes.
@@ -172,9 +185,11 @@ TEST(ScenarioFields, KeysOfATableStandInTheOrderOfTheirMembers) {
     EXPECT_TRUE(!same_table || std::less<>{}(address_of(table[i - 1]), address_of(table[i]))) << table[i].key;
   }
   sim_hw::PayloadConfig payload;
-  const std::vector<Field> payload_table = fields(payload);
-  for (std::size_t i = 1; i < payload_table.size(); ++i) {
-    EXPECT_TRUE(std::less<>{}(address_of(payload_table[i - 1]), address_of(payload_table[i]))) << payload_table[i].key;
+  sim_hw::FaultConfig fault;
+  for (const std::vector<Field>& element : {fields(payload), fields(fault)}) {
+    for (std::size_t i = 1; i < element.size(); ++i) {
+      EXPECT_TRUE(std::less<>{}(address_of(element[i - 1]), address_of(element[i]))) << element[i].key;
+    }
   }
 }
 

@@ -48,6 +48,15 @@ Verdict full_verdict() {
   verdict.frames_sent = 160'320;
   verdict.frames_lost = 7;
   verdict.bus_load_percent = 42.5;
+  verdict.bus = {
+      {.load_percent = 42.5,
+       .frames = 10,
+       .nominal_bits = 300,
+       .data_bits = 4000,
+       .busy_ns = 1'100'000,
+       .elapsed_ns = 5'000'000,
+       .streams = {{.identifier = 0x80, .name = "SYNC", .frames = 10, .worst_case_us = 190.25, .observed_us = 51.75},
+                   {.identifier = 0x185, .name = "IMU", .worst_case_us = {}}}}};
   return verdict;
 }
 
@@ -98,6 +107,24 @@ TEST(VerdictJson, HoldsTheNamesAndValuesThatScriptsRead) {
   EXPECT_EQ(verdict.at("frames_sent"), 160'320);
   EXPECT_EQ(verdict.at("frames_lost"), 7);
   EXPECT_EQ(verdict.at("bus_load_percent"), 42.5);
+}
+
+TEST(VerdictJson, HoldsTheBitsAndTheResponseTimesOfEachBus) {
+  const json buses = json::parse(to_json(full_verdict())).at("bus");
+  ASSERT_EQ(buses.size(), 1U);
+  const json& bus = buses[0];
+  EXPECT_EQ(bus.at("frames"), 10);
+  EXPECT_EQ(bus.at("nominal_bits"), 300);
+  EXPECT_EQ(bus.at("data_bits"), 4000);
+  EXPECT_EQ(bus.at("busy_ns"), 1'100'000);
+  EXPECT_EQ(bus.at("elapsed_ns"), 5'000'000);
+  EXPECT_EQ(bus.at("load_percent"), 42.5);
+  EXPECT_EQ(bus.at("identifiers")[0], json({{"identifier", "0x080"},
+                                            {"name", "SYNC"},
+                                            {"frames", 10},
+                                            {"worst_case_us", 190.25},
+                                            {"observed_us", 51.75}}));
+  EXPECT_TRUE(bus.at("identifiers")[1].at("worst_case_us").is_null());
 }
 
 TEST(VerdictJson, NamesEveryJointWithItsPeakTorque) {

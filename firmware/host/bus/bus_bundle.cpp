@@ -1,0 +1,105 @@
+#include "firmware/host/bus/bus_bundle.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "firmware/can/identifiers.hpp"
+
+namespace surefoot::host {
+namespace {
+
+constexpr std::size_t kInboxFrames = MessageBatch::kMessages;
+constexpr std::uint16_t kNodeMask = 0x7F;  // CiA 301: the lower seven bits of an identifier
+
+struct Route {
+  bool first;
+  bool second;
+};
+
+Route route_of(std::uint16_t identifier) noexcept {
+  if (identifier == can::kSyncIdentifier || identifier == can::heartbeat_identifier(can::Node::kController)) {
+    return {.first = true, .second = true};
+  }
+  const auto node = static_cast<can::Node>(identifier & kNodeMask);
+  const bool is_left = node == can::Node::kLegLeft || node == can::Node::kFootLeft;
+  return {.first = !is_left, .second = is_left};
+}
+
+}  // namespace
+
+BusBundle::BusBundle(Members members) : members_(std::move(members)) {
+  for (Inbox& inbox : inboxes_) {
+    inbox.frames.resize(kInboxFrames);
+    inbox.times_ns.resize(kInboxFrames);
+  }
+  for (auto& outbox : outboxes_) outbox.reserve(kInboxFrames);
+}
+
+std::size_t BusBundle::send(std::span<const can::CanFrame> frames) noexcept {
+  std::size_t refused = 0;
+  for (std::size_t begin = 0; begin < frames.size(); begin += kInboxFrames) {
+    for (auto& outbox : outboxes_) outbox.clear();
+    for (const can::CanFrame& frame : frames.subspan(begin, std::min(kInboxFrames, frames.size() - begin))) {
+      const Route route = route_of(frame.identifier);
+      if (route.first) outboxes_[0].push_back(frame);
+      if (route.second) outboxes_[1].push_back(frame);
+    }
+    // The second bus first: a marker at the end of the frames, which is the first one's, then goes out last.
+    for (std::size_t member = members_.size(); member-- > 0;) {
+      if (outboxes_[member].empty()) continue;
+      refused += outboxes_[member].size() - members_[member]->send(outboxes_[member]);
+    }
+  }
+  return frames.size() - std::min(refused, frames.size());
+}
+
+void BusBundle::refill(std::size_t member) noexcept {
+  Inbox& inbox = inboxes_[member];
+  inbox.next = 0;
+  inbox.count = members_[member]->receive(inbox.frames);
+  std::ranges::copy(members_[member]->receive_times_ns(), inbox.times_ns.begin());
+}
+
+std::size_t BusBundle::receive(std::span<can::CanFrame> frames) noexcept {
+  time_count_ = 0;
+  // The first bus first: what a participant sent on the second before a frame on the first is then there too.
+  for (std::size_t member = 0; member < members_.size(); ++member) {
+    if (inboxes_[member].is_empty()) refill(member);
+  }
+  const std::size_t wanted = std::min(frames.size(), times_ns_.size());
+  while (time_count_ < wanted) {
+    Inbox& first = inboxes_[0];
+    Inbox& second = inboxes_[1];
+    if (first.is_empty() && second.is_empty()) break;
+    const bool from_first =
+        second.is_empty() || (!first.is_empty() && first.times_ns[first.next] < second.times_ns[second.next]);
+    Inbox& from = from_first ? first : second;
+    frames[time_count_] = from.frames[from.next];
+    times_ns_[time_count_++] = from.times_ns[from.next++];
+    if (from.is_empty() && from.count == kInboxFrames) refill(from_first ? 0 : 1);
+  }
+  return time_count_;
+}
+
+bool BusBundle::wait_readable(std::int64_t deadline_monotonic_ns) noexcept {
+  if (!inboxes_[0].is_empty() || !inboxes_[1].is_empty()) return true;
+  const std::array<SocketBus*, 2> buses{members_[0].get(), members_[1].get()};
+  return SocketBus::wait_for_any(buses, deadline_monotonic_ns);
+}
+
+BusReport BusBundle::report() const noexcept {
+  BusReport sum = members_[0]->report();
+  const BusReport second = members_[1]->report();
+  sum.sent += second.sent;
+  sum.received += second.received;
+  sum.refused_no_buffer += second.refused_no_buffer;
+  sum.link_down += second.link_down;
+  sum.error_frames += second.error_frames;
+  sum.bus_off += second.bus_off;
+  sum.foreign_shape += second.foreign_shape;
+  sum.queue_overflow += second.queue_overflow;
+  sum.is_up = sum.is_up && second.is_up;
+  return sum;
+}
+
+}  // namespace surefoot::host

@@ -1,0 +1,83 @@
+"""A live bus, seen with can-utils and python-can from inside tools/with-vcan."""
+
+import signal
+import subprocess
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import can
+from tests.python.command_line import wait_until
+from tests.python.robot_programs import DATABASE, PATIENCE_S, Program, running
+
+# 9.5 s of the robot's time from power-up to time zero instead of 12; it walks from 1.3 s on.
+SHORT_WALK = [
+    "--set", "reflex.standing_s=0.5", "--set", "detector.warm_up_s=0", "--set", "detector.learning_s=4.8",
+    "--set", "payload=[]",
+]  # fmt: skip
+WALKING_TICK = 2000
+
+
+def identifier(name: str) -> int:
+    return DATABASE.get_message_by_name(name).frame_id
+
+
+@contextmanager
+def candump(interface: str, log: Path) -> Iterator[None]:
+    """Logs all that crosses the interface meanwhile."""
+    before = _listeners(interface)
+    with log.open("w") as file:
+        process = subprocess.Popen(["candump", "-L", "-r", "67108864", interface], stdout=file)
+        try:
+            wait_until(lambda: _listeners(interface) > before)
+            yield
+        finally:
+            process.send_signal(signal.SIGINT)
+            process.wait(timeout=PATIENCE_S)
+
+
+def _listeners(interface: str) -> int:
+    """Sockets that take every frame of the interface."""
+    text = Path("/proc/net/can/rcvlist_all").read_text()
+    return sum(line.split()[:1] == [interface] for line in text.splitlines())
+
+
+@contextmanager
+def listening(*names: str, interface: str = "vcan0") -> Iterator[can.BusABC]:
+    """python-can with kernel filters for these frames of the database; all frames without any."""
+    filters = [{"can_id": identifier(name), "can_mask": 0x7FF, "extended": False} for name in names]
+    with can.Bus(interface="socketcan", channel=interface, fd=True, can_filters=filters or None) as bus:
+        yield bus
+
+
+def next_frame(bus: can.BusABC) -> can.Message:
+    frame = bus.recv(PATIENCE_S)
+    assert frame is not None, "silence"
+    return frame
+
+
+def await_tick(tick: int) -> int:
+    """Until the master has sent SYNC of that tick or a later one, which is returned."""
+    end_s = time.monotonic() + PATIENCE_S
+    now = -1
+    with listening("SYNC") as bus:
+        while now < tick:
+            assert time.monotonic() < end_s, f"waited in vain for tick {tick}, the last was {now}"
+            now = DATABASE.decode_message(identifier("SYNC"), next_frame(bus).data)["tick"]
+    return now
+
+
+def running_tick() -> int:
+    return await_tick(0)
+
+
+@contextmanager
+def both(folder: Path, simulator: list[object], firmware: list[object]) -> Iterator[tuple[Program, Program]]:
+    """Simulated robot and firmware side by side."""
+    with running(simulator, folder / "sim_said") as robot, running(firmware, folder / "firmware_said") as controller:
+        yield robot, controller
+
+
+def cansend(frame: str, interface: str = "vcan0") -> None:
+    subprocess.run(["cansend", interface, frame], check=True, timeout=PATIENCE_S)

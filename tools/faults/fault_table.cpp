@@ -1,0 +1,100 @@
+#include "tools/faults/fault_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+namespace surefoot::faults {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string cell(const TrialResult& result) {
+  std::string text = result.fault == safety::Fault::kNone
+                         ? "rides through"
+                         : fmt::format("fault {}, {}, {} ticks", static_cast<int>(result.fault),
+                                       safety::name(result.safe_state), result.answer_ticks.value_or(0));
+  if (result.fell_after_s) text += fmt::format("; down after {:.1f} s", *result.fell_after_s);
+  if (!result.is_within_gate) text += "; BEYOND THE GATE";
+  return text;
+}
+
+template <class Value>
+Json json_of(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+}  // namespace
+
+std::vector<FaultRow> try_all(const scenario::Scenario& scenario, const std::vector<CatalogueEntry>& entries,
+                              const std::function<void(std::size_t, std::size_t)>& on_progress) {
+  std::vector<FaultRow> rows;
+  for (const CatalogueEntry& entry : entries) rows.push_back({entry, {}});
+  const std::size_t all = rows.size() * kSituations.size();
+  std::atomic<std::size_t> next{0};
+  std::size_t done = 0;
+  std::exception_ptr failure;
+  std::mutex mutex;
+  const auto work = [&] {
+    for (std::size_t trial = next++; trial < all; trial = next++) {
+      FaultRow& row = rows[trial / kSituations.size()];
+      const std::size_t situation = trial % kSituations.size();
+      try {
+        row.result[situation] = try_fault(scenario, kSituations[situation], row.entry.fault);
+      } catch (...) {
+        const std::scoped_lock lock(mutex);
+        failure = std::current_exception();
+        next = all;
+        return;
+      }
+      const std::scoped_lock lock(mutex);
+      on_progress(++done, all);
+    }
+  };
+  {
+    std::vector<std::jthread> threads;
+    for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i) threads.emplace_back(work);
+  }
+  if (failure) std::rethrow_exception(failure);
+  return rows;
+}
+
+std::string to_markdown(const std::vector<FaultRow>& rows) {
+  std::string text = "| fault |";
+  for (const Situation situation : kSituations) text += fmt::format(" {} |", name(situation));
+  text += "\n| --- | --- | --- | --- |\n";
+  for (const FaultRow& row : rows) {
+    text += fmt::format("| {} |", row.entry.what);
+    for (const TrialResult& result : row.result) text += fmt::format(" {} |", cell(result));
+    text += '\n';
+  }
+  return text;
+}
+
+std::string to_json(const std::vector<FaultRow>& rows) {
+  Json json = Json::array();
+  for (const FaultRow& row : rows) {
+    for (const Situation situation : kSituations) {
+      const TrialResult& result = row.result[static_cast<std::size_t>(situation)];
+      json.push_back({{"what", row.entry.what},
+                      {"situation", name(situation)},
+                      {"fault", static_cast<int>(result.fault)},
+                      {"fault_name", safety::name(result.fault)},
+                      {"safe_state", safety::name(result.safe_state)},
+                      {"answer_ticks", json_of(result.answer_ticks)},
+                      {"fell_after_s", json_of(result.fell_after_s)},
+                      {"largest_torque_nm", result.largest_torque_nm},
+                      {"largest_torque_step_nm", result.largest_torque_step_nm},
+                      {"lowest_body_m", result.lowest_body_m},
+                      {"is_within_gate", result.is_within_gate}});
+    }
+  }
+  return json.dump(2) + "\n";
+}
+
+}  // namespace surefoot::faults
