@@ -5,6 +5,18 @@
 #include "firmware/core/kinematics/leg_kinematics.hpp"
 
 namespace surefoot {
+namespace {
+
+constexpr double kTrembling_s = 1.0;  // a robot that comes to rest is not still at once
+
+/// Whether every sensor must feel something.
+bool is_moving(const decision::Decision& decision) noexcept {
+  using decision::ReflexPhase;
+  if (decision.phase == ReflexPhase::kStanding || decision.phase == ReflexPhase::kStopped) return false;
+  return decision.phase == ReflexPhase::kWalking || decision.time_in_phase_s < kTrembling_s;
+}
+
+}  // namespace
 
 Controller::Controller(const ControllerConfig& config) noexcept
     : config_(config),
@@ -23,9 +35,8 @@ TickOutput Controller::tick(const SensorSnapshot& sensors, safety::Finding repor
   out.foot_reference = gait::foot_reference(config_.walk, out.decision.motion, out.decision.time_in_phase_s);
   out.joint_reference = kinematics::inverse(config_.geometry, out.foot_reference);
   out.wanted_torque_nm = servo::step(config_.servo, servo_, out.joint_reference, sensors, period_s);
-  const safety::Finding implausible = safety::check_sensors(config_.plausibility, plausibility_, sensors,
-                                                            out.decision.phase == decision::ReflexPhase::kWalking,
-                                                            sequence_.standing_force_n, period_s);
+  const safety::Finding implausible = safety::check_sensors(
+      config_.plausibility, plausibility_, sensors, is_moving(out.decision), sequence_.standing_force_n, period_s);
   const safety::GateOrders orders{followed_by(reported, implausible), out.is_waiting_for_posture};
   out.command = safety::step(config_.gate, gate_, out.wanted_torque_nm, sensors, orders, period_s);
   out.fault = gate_.latched.fault;

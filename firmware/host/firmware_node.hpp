@@ -46,9 +46,17 @@ class FirmwareNode {
   }
 
   /// A tick whose instant has passed while an earlier one was at work: nothing is sent, the controller's time
-  /// goes on. Sensors keep value and age of the last tick, for the nodes were not asked.
+  /// goes on. No sensor is fresh, and none grows old either, for the nodes were not asked.
   void miss_tick() noexcept {
     snapshot_.tick = next_tick_;
+    const auto make_stale = [](Freshness& freshness) {
+      if (freshness.is_fresh()) freshness.age_ticks = 1;
+    };
+    for (const Side side : kSides) {
+      make_stale(snapshot_.leg[index(side)].freshness);
+      make_stale(snapshot_.foot[index(side)].freshness);
+    }
+    make_stale(snapshot_.torso.freshness);
     run_controller();
   }
 

@@ -35,6 +35,7 @@ void LegBoard::on_sync(std::uint32_t tick, const LegVector& angle_rad, const Leg
   tick_ = tick;
   was_synchronised_ = true;
   has_command_ = false;
+  sync_step_ = step_;
 
   LegSensors measured;
   for (std::size_t joint = 0; joint < kJointsPerLeg; ++joint) {
@@ -73,7 +74,7 @@ can::Rejection LegBoard::on_command(const can::CanFrame& frame, FrameOutbox& out
   was_commanded_ = true;
   silent_steps_ = 0;
   last_command_ = frame;
-  queue_.push(step_ + latency_steps_, command);
+  queue_.push(sync_step_ + latency_steps_, command);
   if (status_.watchdog_expired) {
     status_.watchdog_expired = false;
     send_emergency(kEmergencyReset, outbox);
@@ -116,7 +117,7 @@ void LegBoard::restart(FrameOutbox& outbox) noexcept {
   active_ = {};
   torque_nm_ = {};
   status_ = {.watchdog_expired = false, .torque_limited = false, .is_damping = true};
-  step_ = 0;
+  step_ = sync_step_ = 0;
   silent_steps_ = 0;
   tick_ = 0;
   was_synchronised_ = has_command_ = was_commanded_ = has_heard_two_masters_ = false;

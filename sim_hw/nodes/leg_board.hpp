@@ -21,8 +21,8 @@ inline constexpr double kDampingNmSPerRad = 100.0;
 /// One leg's motor board: six encoders, six torque motors, a watchdog.
 ///
 /// A torque frame of tick k takes effect `command_latency_s` after the tick began, counted in
-/// physics steps, and is held until the next. Before the first frame, in mode `kDamp`, and after
-/// `watchdog_s` without a valid frame the board damps its joints. Expiry raises emergency 0x8130;
+/// physics steps, or at once if it comes later than that, and is held until the next. Before the first frame, in mode
+/// `kDamp`, and after `watchdog_s` without a valid frame the board damps its joints. Expiry raises emergency 0x8130;
 /// the next valid frame ends it with 0x0000.
 ///
 /// Two different valid frames for one tick come from two masters, and the board cannot know which is the right
@@ -86,6 +86,7 @@ class LegBoard {
   LegVector torque_nm_{};
   can::LegStatus status_{.watchdog_expired = false, .torque_limited = false, .is_damping = true};
   std::uint64_t step_ = 0;
+  std::uint64_t sync_step_ = 0;  ///< step at which the running tick began
   std::uint64_t silent_steps_ = 0;
   std::uint32_t tick_ = 0;
   bool was_synchronised_ = false;

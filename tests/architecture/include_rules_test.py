@@ -14,13 +14,15 @@ _INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 _OUR_ROOMS = ("firmware/", "sim_hw/", "lcm_types/", "tools/", "tests/")
 _LCM = ("surefoot/", "lcm/")  # generated messages, the library
 
-# What sim_hw and can know of the controller: plain structs, no behaviour.
+# What sim_hw and can know of the controller: plain structs, no behaviour. Faults are part of the contract: the bus
+# tells of them.
+_FAULTS = ("firmware/core/safety/fault.hpp", "firmware/core/safety/safe_state.hpp")
 _PLAIN_STRUCTS = ("firmware/core/joints.hpp", "firmware/core/leg_command.hpp", "firmware/core/sensor_snapshot.hpp")
 
 # Room -> prefixes of ours that it may include.
 _MAY_INCLUDE = {
     "firmware/core": ("firmware/core/",),
-    "firmware/can": ("firmware/can/", "firmware/core/geometry/", *_PLAIN_STRUCTS),
+    "firmware/can": ("firmware/can/", "firmware/core/geometry/", *_PLAIN_STRUCTS, *_FAULTS),
     "firmware/host": ("firmware/core/", "firmware/can/", "firmware/host/", *_LCM),
     "sim_hw": ("sim_hw/", "firmware/can/", "firmware/core/geometry/", *_PLAIN_STRUCTS, *_LCM),
     "tools": ("firmware/", "sim_hw/", "tools/", *_LCM),

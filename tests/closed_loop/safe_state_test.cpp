@@ -294,7 +294,7 @@ INSTANTIATE_TEST_SUITE_P(
              SafeState::kStanceHold, 510},
         Liar{"stuck_foot",
              lying_foot(kLiesFrom, Side::kRight, [](FootSensors& foot, const FootSensors& held) { foot = held; }),
-             SafeState::kStanceHold, 7'300},
+             SafeState::kStanceHold, 510},
         Liar{"foot_reads_zero",
              lying_foot(kLiesFrom, Side::kRight,
                         [](FootSensors& foot, const FootSensors&) { foot.corner_force_n = {}; }),

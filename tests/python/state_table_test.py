@@ -37,5 +37,5 @@ def test_every_fault_has_its_paragraph():
     headings = [paragraph.splitlines()[0].split(" ", 1) for paragraph in paragraphs]
     assert [(int(number), name) for number, name in headings] == faults
     for paragraph in paragraphs:
-        for part in ("**Cause.** ", "**Check.** ", "**Cure.** "):
+        for part in ("**Cause.** ", "**Check.** ", "**Cure.** ", "**Safe state.** "):
             assert paragraph.count(part) == 1, paragraph.splitlines()[0]

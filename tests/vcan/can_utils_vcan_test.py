@@ -67,7 +67,8 @@ def test_python_can_and_can_utils_understand_each_other():
     payload = bytes(range(64))
     with can.Bus(interface="socketcan", channel="vcan0", fd=True) as bus:
         with candump("vcan0", 1) as dump:
-            bus.send(can.Message(arbitration_id=0x201, data=payload, is_extended_id=False, is_fd=True, bitrate_switch=True))
+            fast = {"is_fd": True, "bitrate_switch": True, "is_extended_id": False}
+            bus.send(can.Message(arbitration_id=0x201, data=payload, **fast))
             log, _ = dump.communicate(timeout=60)
         assert log.split()[2].startswith("201##") and log.split()[2].endswith(payload.hex().upper())
         _send("vcan0", "181##1" + payload.hex())

@@ -17,6 +17,7 @@ SHORT_WALK = [
     "--set", "payload=[]",
 ]  # fmt: skip
 WALKING_TICK = 2000
+_END = "7FE#E0D0"  # of nobody
 
 
 def identifier(name: str) -> int:
@@ -32,9 +33,18 @@ def candump(interface: str, log: Path) -> Iterator[None]:
         try:
             wait_until(lambda: _listeners(interface) > before)
             yield
+            cansend(_END, interface)  # what crossed before it has been written when it is in the log
+            wait_until(lambda: _tail(log).endswith(f"{_END}\n"), PATIENCE_S)
         finally:
             process.send_signal(signal.SIGINT)
             process.wait(timeout=PATIENCE_S)
+    log.write_text(log.read_text().rpartition("(")[0])
+
+
+def _tail(log: Path) -> str:
+    with log.open("rb") as file:
+        file.seek(max(0, log.stat().st_size - 100))
+        return file.read().decode()
 
 
 def _listeners(interface: str) -> int:

@@ -19,9 +19,11 @@ def test_interfaces_that_are_there_are_used():
 
 
 def test_interfaces_that_are_not_there_come_in_a_network_of_their_own():
-    finished = runner.run("-v", "-n", _ONE_MORE, "sh", "-c", "ls /sys/class/net; ip -br link; ip route; cat", input=b"in\n")
+    script = "ls /sys/class/net; ip -br link; ip route; cat"
+    finished = runner.run("-v", "-n", _ONE_MORE, "sh", "-c", script, input=b"in\n")
     assert b"native, in a network of its own" in finished.stderr, finished.stderr
     said = finished.stdout.decode()
+    assert f"vcan{len(_HERE)}\n" in said  # of /sys
     assert said.count("<NOARP,UP,LOWER_UP>") == int(_ONE_MORE)
     assert "224.0.0.0/4 dev lo" in said and said.endswith("\nin\n")
     assert sorted(path.name for path in Path("/sys/class/net").glob("vcan*")) == _HERE

@@ -51,6 +51,7 @@ template <std::size_t N>
 /// Parts of the table; `fields(Scenario&)` joins them.
 void append_run_fields(std::vector<Field>& table, Scenario& scenario);
 void append_firmware_fields(std::vector<Field>& table, Scenario& scenario);
+void append_safety_fields(std::vector<Field>& table, Scenario& scenario);
 void append_simulator_fields(std::vector<Field>& table, Scenario& scenario);
 
 }  // namespace surefoot::scenario

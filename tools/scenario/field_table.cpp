@@ -28,6 +28,7 @@ std::vector<Field> fields(Scenario& scenario) {
   std::vector<Field> table;
   append_run_fields(table, scenario);
   append_firmware_fields(table, scenario);
+  append_safety_fields(table, scenario);
   append_simulator_fields(table, scenario);
   table.insert(table.end(), {Field{"limits.max_abs_pitch_deg",
                                    &scenario.limits.max_abs_pitch_deg,

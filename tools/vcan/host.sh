@@ -6,10 +6,10 @@
 readonly boot_limit_s=120
 readonly chunks_ahead=8  # how far a piped stdin may be ahead of the command
 
-folder=""      # all files of this guest; gone when with-vcan ends, however it ends
+folder=""          # all files of this guest; gone when with-vcan ends, however it ends
 terminal_state=""  # what stty says of the caller's terminal
-life_end=""    # write end of a pipe: when with-vcan ends, its readers see the end of the file
-priority=()    # words in front of the guest's program: processors, scheduling
+life_end=""        # write end of a pipe: when with-vcan ends, its readers see the end of the file
+priority=()        # words in front of the guest's program: processors, scheduling
 timed_out=false
 asked_to_end=false
 
@@ -22,10 +22,11 @@ temporary_folder() {
 
 # Memory of the guest is a deleted file: on a tmpfs where it fits and may be executed (in Docker it may not).
 memory_folder() {
-  local free_kib options
+  local wanted_kib free_kib options
+  wanted_kib=$(($(numfmt --from=iec "$memory") / 1024))
   free_kib="$(df --output=avail /dev/shm 2>/dev/null | tail -n 1)" || true
   options="$(findmnt -n -o OPTIONS -T /dev/shm)" || true
-  if [[ -w /dev/shm && ",$options," != *,noexec,* && "${free_kib:-0}" -gt $(($(numfmt --from=iec "$memory") / 1024)) ]]; then
+  if [[ -w /dev/shm && ",$options," != *,noexec,* && "${free_kib:-0}" -gt "$wanted_kib" ]]; then
     echo /dev/shm
   else
     echo "$folder"
@@ -124,7 +125,7 @@ on_alarm() {
 # Processors with AMX have more state than User Mode Linux before 6.13 allows for.
 whole_xstate() {
   grep -q -w amx_tile /proc/cpuinfo || return 0
-  cc -x c -O2 -shared -fPIC -o "$folder/whole_xstate.so" "$root/tools/vcan/whole_xstate.inc" >&2 ||
+  TMPDIR="$folder" cc -x c -O2 -shared -fPIC -o "$folder/whole_xstate.so" "$root/tools/vcan/whole_xstate.inc" >&2 ||
     fail 77 "User Mode Linux needs help on a processor with AMX, and that does not compile" \
       "as root, run: apt-get install -y gcc libc6-dev"
   echo "$folder/whole_xstate.so"
@@ -220,7 +221,8 @@ exit_code() {
   fi
   [[ ! -e "$folder/status" ]] || exit "$(<"$folder/status")"
   if "$asked_to_end"; then exit 137; fi
-  [[ -e "$folder/ready" ]] || fail_with_console 77 "User Mode Linux does not start here; the end of its messages stands above" \
+  [[ -e "$folder/ready" ]] || fail_with_console 77 \
+    "User Mode Linux does not start here; the end of its messages stands above" \
     "run it where ptrace is allowed, with $memory of free memory"
   fail_with_console 70 "the guest ended before the command did; the end of its messages stands above" \
     "give it more memory (--memory 1G), or report it with those messages"

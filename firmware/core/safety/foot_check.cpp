@@ -1,11 +1,12 @@
 #include "firmware/core/safety/foot_check.hpp"
 
+#include <cmath>
 #include <numeric>
 
 namespace surefoot::safety {
 namespace {
 
-bool are_alive(const FootCheckConfig& config, FootCheckState& state, const PerSide<FootSensors>& feet, bool is_walking,
+bool are_alive(const FootCheckConfig& config, FootCheckState& state, const PerSide<FootSensors>& feet, bool is_moving,
                double period_s) noexcept {
   bool alive = true;
   for (std::size_t foot = 0; foot < feet.size(); ++foot) {
@@ -13,8 +14,9 @@ bool are_alive(const FootCheckConfig& config, FootCheckState& state, const PerSi
     for (std::size_t corner = 0; corner < geometry::kCornersPerFoot; ++corner) {
       const double force_n = feet[foot].corner_force_n[corner];
       std::uint32_t& ticks = state.frozen_ticks[foot][corner];
-      ticks = is_walking && force_n == state.last_force_n[foot][corner] ? ticks + 1 : 0;
-      alive = alive && ticks * period_s <= config.frozen_s;
+      ticks = is_moving && force_n == state.last_force_n[foot][corner] ? ticks + 1 : 0;
+      const double allowed_s = std::abs(force_n) >= config.loaded_n ? config.frozen_loaded_s : config.frozen_s;
+      alive = alive && ticks * period_s <= allowed_s;
     }
     state.last_force_n[foot] = feet[foot].corner_force_n;
   }
@@ -36,8 +38,8 @@ bool do_they_weigh(const FootCheckConfig& config, FootCheckState& state, const P
 }  // namespace
 
 bool are_feet_plausible(const FootCheckConfig& config, FootCheckState& state, const PerSide<FootSensors>& feet,
-                        bool is_walking, double weight_n, double period_s) noexcept {
-  const bool alive = are_alive(config, state, feet, is_walking, period_s);
+                        bool is_moving, double weight_n, double period_s) noexcept {
+  const bool alive = are_alive(config, state, feet, is_moving, period_s);
   return do_they_weigh(config, state, feet, weight_n, period_s) && alive;
 }
 

@@ -7,6 +7,8 @@ namespace surefoot::safety {
 /// Load cells that answer but do not weigh.
 struct FootCheckConfig {
   double frozen_s = 7.2;          ///< of walking in which a corner may keep its very bits: one and a half gait cycles
+  double frozen_loaded_s = 0.5;   ///< the same for a corner that carries something: that trembles
+  double loaded_n = 20.0;         ///< from here on a corner carries something
   double min_weight_share = 0.4;  ///< of the standing weight that both feet together must feel ..
   double max_weight_share = 1.8;  ///< .. and may feel, payloads included ..
   double weight_s = 0.4;          ///< .. but for so long: the hop and the landing of a reflex are shorter
@@ -24,10 +26,11 @@ struct FootCheckState {
 /// A cell in the air reads a constant zero for the time of a swing, and one under an edge that carries
 /// nothing for a stance more; while the robot walks each of them feels the floor once a cycle.
 ///
-/// @param is_walking  the frozen cells are counted while true, and forgotten when not
+/// @param is_moving   the robot walks, or has just ceased to: the frozen cells are counted while true, and forgotten
+/// when not
 /// @param weight_n    filtered force of the last standing; 0 while it is not known: no weight is judged
 /// @param period_s    time since the last call, > 0
 [[nodiscard]] bool are_feet_plausible(const FootCheckConfig&, FootCheckState&, const PerSide<FootSensors>&,
-                                      bool is_walking, double weight_n, double period_s) noexcept;
+                                      bool is_moving, double weight_n, double period_s) noexcept;
 
 }  // namespace surefoot::safety

@@ -2,12 +2,12 @@
 
 namespace surefoot::safety {
 
-bool is_imu_plausible(const ImuCheckConfig& config, ImuCheckState& state, const ImuSensors& imu, bool is_walking,
+bool is_imu_plausible(const ImuCheckConfig& config, ImuCheckState& state, const ImuSensors& imu, bool is_moving,
                       double period_s) noexcept {
   if (imu.freshness.is_fresh()) {
     const bool is_frozen =
         imu.angular_rate_body_rad_s == state.last_rate_rad_s && imu.specific_force_body_m_s2 == state.last_force_m_s2;
-    state.frozen_ticks = is_walking && is_frozen ? state.frozen_ticks + 1 : 0;
+    state.frozen_ticks = is_moving && is_frozen ? state.frozen_ticks + 1 : 0;
     state.last_rate_rad_s = imu.angular_rate_body_rad_s;
     state.last_force_m_s2 = imu.specific_force_body_m_s2;
     const double factor = period_s / config.force_time_constant_s;

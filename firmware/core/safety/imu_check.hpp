@@ -21,9 +21,10 @@ struct ImuCheckState {
 
 /// One tick; a tick without the node's word changes nothing.
 ///
-/// @param is_walking  the frozen time is counted while true, and forgotten when not
+/// @param is_moving  the robot walks, or has just ceased to: the frozen time is counted while true, and forgotten when
+/// not
 /// @param period_s    time since the last call, > 0, and less than the time constant
-[[nodiscard]] bool is_imu_plausible(const ImuCheckConfig&, ImuCheckState&, const ImuSensors&, bool is_walking,
+[[nodiscard]] bool is_imu_plausible(const ImuCheckConfig&, ImuCheckState&, const ImuSensors&, bool is_moving,
                                     double period_s) noexcept;
 
 }  // namespace surefoot::safety

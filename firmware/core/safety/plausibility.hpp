@@ -24,10 +24,10 @@ struct PlausibilityState {
 
 /// Fault 8, if any: kDamp for an encoder, without which a leg cannot be held; kStanceHold for a foot or the IMU.
 ///
-/// @param is_walking  the nominal gait runs: every sensor must feel something
+/// @param is_moving  the robot walks, or has just ceased to: every sensor must feel something
 /// @param weight_n    filtered force of the last standing, 0 while it is not known
 /// @param period_s    time since the last call, > 0
 [[nodiscard]] Finding check_sensors(const PlausibilityConfig&, PlausibilityState&, const SensorSnapshot&,
-                                    bool is_walking, double weight_n, double period_s) noexcept;
+                                    bool is_moving, double weight_n, double period_s) noexcept;
 
 }  // namespace surefoot::safety

@@ -1,6 +1,7 @@
 #include "firmware/host/bus/bus_bundle.hpp"
 
 #include <algorithm>
+#include <ctime>
 #include <utility>
 
 #include "firmware/can/identifiers.hpp"
@@ -15,6 +16,12 @@ struct Route {
   bool first;
   bool second;
 };
+
+std::int64_t realtime_ns() noexcept {
+  timespec now{};
+  ::clock_gettime(CLOCK_REALTIME, &now);
+  return now.tv_sec * 1'000'000'000LL + now.tv_nsec;
+}
 
 Route route_of(std::uint16_t identifier) noexcept {
   if (identifier == can::kSyncIdentifier || identifier == can::heartbeat_identifier(can::Node::kController)) {
@@ -37,43 +44,65 @@ BusBundle::BusBundle(Members members) : members_(std::move(members)) {
 
 std::size_t BusBundle::send(std::span<const can::CanFrame> frames) noexcept {
   std::size_t refused = 0;
-  for (std::size_t begin = 0; begin < frames.size(); begin += kInboxFrames) {
-    for (auto& outbox : outboxes_) outbox.clear();
-    for (const can::CanFrame& frame : frames.subspan(begin, std::min(kInboxFrames, frames.size() - begin))) {
-      const Route route = route_of(frame.identifier);
-      if (route.first) outboxes_[0].push_back(frame);
-      if (route.second) outboxes_[1].push_back(frame);
-    }
-    // The second bus first: a marker at the end of the frames, which is the first one's, then goes out last.
-    for (std::size_t member = members_.size(); member-- > 0;) {
-      if (outboxes_[member].empty()) continue;
-      refused += outboxes_[member].size() - members_[member]->send(outboxes_[member]);
-    }
+  bool was_for_both = false;
+  for (const can::CanFrame& frame : frames) {
+    const Route route = route_of(frame.identifier);
+    const bool is_for_both = route.first && route.second;
+    // SYNC ends what stood before it on either bus: both legs' torques of the last tick go out ahead of it.
+    if (is_for_both && !was_for_both) refused += flush();
+    was_for_both = is_for_both;
+    if (route.first) outboxes_[0].push_back(frame);
+    if (route.second) outboxes_[1].push_back(frame);
+    if (std::max(outboxes_[0].size(), outboxes_[1].size()) == kInboxFrames) refused += flush();
   }
+  refused += flush();
   return frames.size() - std::min(refused, frames.size());
+}
+
+std::size_t BusBundle::flush() noexcept {
+  std::size_t refused = 0;
+  // The second bus first: a marker at the end of the frames, which is the first one's, then goes out last.
+  for (std::size_t member = members_.size(); member-- > 0;) {
+    if (outboxes_[member].empty()) continue;
+    refused += outboxes_[member].size() - members_[member]->send(outboxes_[member]);
+    outboxes_[member].clear();
+  }
+  return refused;
 }
 
 void BusBundle::refill(std::size_t member) noexcept {
   Inbox& inbox = inboxes_[member];
+  const auto next = static_cast<std::ptrdiff_t>(inbox.next);
+  const auto count = static_cast<std::ptrdiff_t>(inbox.count);
+  std::move(inbox.frames.begin() + next, inbox.frames.begin() + count, inbox.frames.begin());
+  std::move(inbox.times_ns.begin() + next, inbox.times_ns.begin() + count, inbox.times_ns.begin());
+  inbox.count -= inbox.next;
   inbox.next = 0;
-  inbox.count = members_[member]->receive(inbox.frames);
-  std::ranges::copy(members_[member]->receive_times_ns(), inbox.times_ns.begin());
+  const std::size_t received = members_[member]->receive(std::span(inbox.frames).subspan(inbox.count));
+  std::ranges::copy(members_[member]->receive_times_ns().first(received),
+                    inbox.times_ns.begin() + static_cast<std::ptrdiff_t>(inbox.count));
+  inbox.count += received;
 }
 
 std::size_t BusBundle::receive(std::span<can::CanFrame> frames) noexcept {
   time_count_ = 0;
-  // The first bus first: what a participant sent on the second before a frame on the first is then there too.
-  for (std::size_t member = 0; member < members_.size(); ++member) {
-    if (inboxes_[member].is_empty()) refill(member);
-  }
+  // What came after this instant waits for the next call: of two buses that are read one after the other, the second
+  // may hold a frame whose forerunner on the first came just after that was read.
+  const std::int64_t until_ns = realtime_ns();
+  const auto is_due = [until_ns](const Inbox& inbox) {
+    if (inbox.is_empty()) return false;
+    const std::int64_t came_ns = inbox.times_ns[inbox.next];
+    return came_ns <= until_ns || came_ns > realtime_ns();  // later than now: the clock was set back
+  };
+  for (std::size_t member = 0; member < members_.size(); ++member) refill(member);
   const std::size_t wanted = std::min(frames.size(), times_ns_.size());
   while (time_count_ < wanted) {
     Inbox& first = inboxes_[0];
     Inbox& second = inboxes_[1];
-    if (first.is_empty() && second.is_empty()) break;
     const bool from_first =
         second.is_empty() || (!first.is_empty() && first.times_ns[first.next] < second.times_ns[second.next]);
     Inbox& from = from_first ? first : second;
+    if (!is_due(from)) break;
     frames[time_count_] = from.frames[from.next];
     times_ns_[time_count_++] = from.times_ns[from.next++];
     if (from.is_empty() && from.count == kInboxFrames) refill(from_first ? 0 : 1);

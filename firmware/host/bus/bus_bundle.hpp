@@ -11,7 +11,8 @@ namespace surefoot::host {
 /// Two buses as one: one bus a leg.
 ///
 /// Sends: left leg and left foot (nodes 2, 4) on the second bus; SYNC and the controller's heartbeat on both;
-/// all else on the first. Receives from both, whatever is heard where, merged by the kernel's time stamps.
+/// all else on the first. Receives from both, whatever is heard where, merged by the kernel's time stamps. What one
+/// participant sends, in one call or several, comes in that order wherever a frame for both buses stands between.
 class BusBundle final : public HostBus {
  public:
   using Members = std::array<std::unique_ptr<SocketBus>, 2>;
@@ -41,6 +42,8 @@ class BusBundle final : public HostBus {
     [[nodiscard]] bool is_empty() const noexcept { return next == count; }
   };
 
+  /// Sends what stands in the outboxes. @return frames that a bus refused
+  std::size_t flush() noexcept;
   void refill(std::size_t member) noexcept;
 
   Members members_;

@@ -10,7 +10,7 @@ constexpr double kPeriodS = 1.0e-3;
 struct FeelingImu {
   ImuCheckConfig config{};
   ImuCheckState state{};
-  bool is_walking = true;
+  bool is_moving = true;
   int tick = 0;
 
   template <typename Lie>
@@ -22,7 +22,7 @@ struct FeelingImu {
       imu.freshness.age_ticks = 0;
       ++tick;
       lie(imu);
-      if (!is_imu_plausible(config, state, imu, is_walking, kPeriodS)) return i;
+      if (!is_imu_plausible(config, state, imu, is_moving, kPeriodS)) return i;
     }
     return 0;
   }
@@ -44,7 +44,7 @@ TEST(ImuCheck, FindsAnImuThatKeepsItsBitsWhileTheRobotWalks) {
   const auto stuck = [](ImuSensors& s) { s.angular_rate_body_rad_s = {0.1, -0.2, 0.3}; };
   EXPECT_EQ(imu.objects_after(2000, stuck), 502);
   FeelingImu standing;
-  standing.is_walking = false;
+  standing.is_moving = false;
   EXPECT_EQ(standing.objects_after(20'000, stuck), 0);
 }
 

@@ -19,11 +19,11 @@ SensorSnapshot fresh_sensors() {
 }
 
 /// The finding after so many ticks of the same sensors.
-Finding after(int ticks, const SensorSnapshot& sensors, bool is_walking) {
+Finding after(int ticks, const SensorSnapshot& sensors, bool is_moving) {
   PlausibilityState state;
   Finding found;
-  static_cast<void>(check_sensors({}, state, fresh_sensors(), is_walking, 784.8, kPeriodS));
-  for (int i = 0; i < ticks; ++i) found = check_sensors({}, state, sensors, is_walking, 784.8, kPeriodS);
+  static_cast<void>(check_sensors({}, state, fresh_sensors(), is_moving, 784.8, kPeriodS));
+  for (int i = 0; i < ticks; ++i) found = check_sensors({}, state, sensors, is_moving, 784.8, kPeriodS);
   return found;
 }
 

@@ -54,7 +54,7 @@ TEST_F(EventWatchTest, TellsTheMassOfEachPayloadNotTheSum) {
 TEST_F(EventWatchTest, PassesEveryStepOfTheSequenceOnUnderItsTelemetryCode) {
   const std::vector<std::int8_t> codes{event_t::STANDING_DONE, event_t::PAYLOAD_DETECTED, event_t::REFLEX_DONE,
                                        event_t::SETTLED,       event_t::SHIFTED,          event_t::RESTORED,
-                                       event_t::RESTED};
+                                       event_t::RESTED,        event_t::STOP_ORDERED};
   ASSERT_EQ(codes.size(), decision::kReflexEvents.size());
   output.decision.time_in_phase_s = 0.00025;
   for (std::size_t i = 0; i < codes.size(); ++i) {
