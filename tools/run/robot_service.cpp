@@ -99,7 +99,7 @@ class Appearance {
     }
     robot_.serve(bus_);
     note_sync(now_ns);
-    if (is_lockstep() && robot_.has_master()) tell_when_answers_are_missing();
+    if (is_lockstep() && had_master_) tell_when_answers_are_missing();
     if (robot_.has_master() && !had_master_) meet_master(now_ns);
     record();
     if (!robot_.has_master()) announce_if_due(now_ns);
@@ -128,9 +128,9 @@ class Appearance {
 
   /// The master would wait for states that a fault keeps from it.
   void tell_when_answers_are_missing() noexcept {
-    if (robot_.has_answered_fully() || marked_tick_ == robot_.tick()) return;
-    marked_tick_ = robot_.tick();
-    const can::CanFrame marker = can::encode_lockstep_served({.tick = robot_.tick(), .counter = marker_counter_++});
+    if (robot_.has_answered_fully() || marked_tick_ == robot_.wire_tick()) return;
+    marked_tick_ = robot_.wire_tick();
+    const can::CanFrame marker = can::encode_lockstep_served({.tick = marked_tick_, .counter = marker_counter_++});
     static_cast<void>(bus_.send({&marker, 1}));
   }
 
@@ -162,17 +162,18 @@ class Appearance {
   }
 
   void record() {
-    if (robot_.periods() == recorded_periods_) return;
+    const bool is_new_period = robot_.periods() != recorded_periods_;
     recorded_periods_ = robot_.periods();
     const std::span<const RunEvent> events = events_.observe_world(robot_.truth());
     if (recorder_ == nullptr || !had_master_) return;
-    const std::uint32_t tick = robot_.truth_tick();
+    // A fault that keeps SYNC from the nodes begins and ends without a period.
+    const std::uint32_t tick = is_new_period ? robot_.truth_tick() : robot_.wire_tick();
     const std::int64_t utime_us = std::llround((tick * period_s_ - time_zero_s_) * 1e6);
     for (const RunEvent& event : events) {
       recorder_->push(host::Channel::kEvent, utime_us,
                       event_message(utime_us, tick, event.code, event.name, event.value));
     }
-    if (tick % telemetry_every_ == 0) {
+    if (is_new_period && tick % telemetry_every_ == 0) {
       recorder_->push(host::Channel::kSimulatorTruth, utime_us, truth_message(utime_us, tick, robot_.truth()));
     }
   }

@@ -109,6 +109,18 @@ TEST(FootCheck, DoesNotJudgeAWeightThatItDoesNotKnow) {
   EXPECT_EQ(robot.objects_after(3000, [](auto& feet) { feet[0].corner_force_n.fill(3000.0); }), 0);
 }
 
+TEST(FootCheck, DoesNotJudgeTheWeightWhileEitherFootIsSilent) {
+  for (std::size_t silent = 0; silent < 2; ++silent) {
+    WalkingFeet robot;
+    robot.is_moving = false;
+    const auto lie = [silent](auto& feet) {
+      feet[silent].corner_force_n.fill(3000.0);
+      feet[silent].freshness.age_ticks = 1;
+    };
+    EXPECT_EQ(robot.objects_after(3000, lie), 0);
+  }
+}
+
 TEST(FootCheck, DoesNotCountTheLastWordOfASilentFoot) {
   WalkingFeet robot;
   for (int i = 0; i < 300; ++i) static_cast<void>(robot.next([](auto& feet) { feet[0].corner_force_n.fill(3000.0); }));

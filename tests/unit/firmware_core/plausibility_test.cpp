@@ -41,6 +41,7 @@ TEST(Plausibility, HoldsTheStanceForAFootOrTheImuAndDampsForAnEncoder) {
 
   SensorSnapshot imu = fresh_sensors();
   imu.torso.angular_rate_body_rad_s = {0.1, 0.0, 0.0};
+  for (FootSensors& each : imu.foot) each.freshness.age_ticks = 1;  // whose frozen cells would be found as well
   EXPECT_EQ(after(600, imu, true).fault, Fault::kSensorImplausible);
   EXPECT_EQ(after(600, imu, true).needs, SafeState::kStanceHold);
 
