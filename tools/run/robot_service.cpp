@@ -166,16 +166,23 @@ class Appearance {
     recorded_periods_ = robot_.periods();
     const std::span<const RunEvent> events = events_.observe_world(robot_.truth());
     if (recorder_ == nullptr || !had_master_) return;
-    // A fault that keeps SYNC from the nodes begins and ends without a period.
-    const std::uint32_t tick = is_new_period ? robot_.truth_tick() : robot_.wire_tick();
-    const std::int64_t utime_us = std::llround((tick * period_s_ - time_zero_s_) * 1e6);
     for (const RunEvent& event : events) {
+      // Faults begin and end with a SYNC, which may have come in one go with the torques of the period before.
+      const bool is_of_wire = event.code == event_t::FAULT_INJECTED || event.code == event_t::FAULT_ENDED;
+      const std::uint32_t tick = is_of_wire ? robot_.wire_tick() : robot_.truth_tick();
+      const std::int64_t utime_us = utime_us_of(tick);
       recorder_->push(host::Channel::kEvent, utime_us,
                       event_message(utime_us, tick, event.code, event.name, event.value));
     }
-    if (is_new_period && tick % telemetry_every_ == 0) {
-      recorder_->push(host::Channel::kSimulatorTruth, utime_us, truth_message(utime_us, tick, robot_.truth()));
+    if (is_new_period && robot_.truth_tick() % telemetry_every_ == 0) {
+      const std::int64_t utime_us = utime_us_of(robot_.truth_tick());
+      recorder_->push(host::Channel::kSimulatorTruth, utime_us,
+                      truth_message(utime_us, robot_.truth_tick(), robot_.truth()));
     }
+  }
+
+  [[nodiscard]] std::int64_t utime_us_of(std::uint32_t tick) const noexcept {
+    return std::llround((tick * period_s_ - time_zero_s_) * 1e6);
   }
 
   void say(const std::string& message) const {
