@@ -111,6 +111,10 @@ struct SimulatedRobot::Parts {
       verdict = take_sync(frame);
     } else if (frame.identifier == can::heartbeat_identifier(can::Node::kController)) {
       verdict = master.on_heartbeat(frame);
+    } else if (frame.identifier == can::emergency_identifier(can::Node::kController)) {
+      can::FrameStamp stamp;
+      can::Emergency emergency;
+      verdict = can::decode_emergency(frame, stamp, emergency);  // for people with candump; no node acts on it
     } else {
       for (const Side side : kSides) {
         if (frame.identifier == can::command_identifier(can::leg_node(side))) verdict = take_command(side, frame);

@@ -102,7 +102,7 @@ class Appearance {
     if (is_lockstep() && had_master_) tell_when_answers_are_missing();
     if (robot_.has_master() && !had_master_) meet_master(now_ns);
     record();
-    if (!robot_.has_master()) announce_if_due(now_ns);
+    if (!had_master_) announce_if_due(now_ns);  // not while it lies: the next master waits until it stands again
     if (had_master_) watch_master(now_ns);
   }
 

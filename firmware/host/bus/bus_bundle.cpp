@@ -32,6 +32,11 @@ Route route_of(std::uint16_t identifier) noexcept {
   return {.first = !is_left, .second = is_left};
 }
 
+bool is_for_both(std::uint16_t identifier) noexcept {
+  const Route route = route_of(identifier);
+  return route.first && route.second;
+}
+
 }  // namespace
 
 BusBundle::BusBundle(Members members) : members_(std::move(members)) {
@@ -47,10 +52,9 @@ std::size_t BusBundle::send(std::span<const can::CanFrame> frames) noexcept {
   bool was_for_both = false;
   for (const can::CanFrame& frame : frames) {
     const Route route = route_of(frame.identifier);
-    const bool is_for_both = route.first && route.second;
     // SYNC ends what stood before it on either bus: both legs' torques of the last tick go out ahead of it.
-    if (is_for_both && !was_for_both) refused += flush();
-    was_for_both = is_for_both;
+    if (is_for_both(frame.identifier) && !was_for_both) refused += flush();
+    was_for_both = is_for_both(frame.identifier);
     if (route.first) outboxes_[0].push_back(frame);
     if (route.second) outboxes_[1].push_back(frame);
     if (std::max(outboxes_[0].size(), outboxes_[1].size()) == kInboxFrames) refused += flush();
@@ -103,11 +107,24 @@ std::size_t BusBundle::receive(std::span<can::CanFrame> frames) noexcept {
         second.is_empty() || (!first.is_empty() && first.times_ns[first.next] < second.times_ns[second.next]);
     Inbox& from = from_first ? first : second;
     if (!is_due(from)) break;
-    frames[time_count_] = from.frames[from.next];
-    times_ns_[time_count_++] = from.times_ns[from.next++];
+    if (!is_copy(from.frames[from.next], from_first ? 0 : 1)) {
+      frames[time_count_] = from.frames[from.next];
+      times_ns_[time_count_++] = from.times_ns[from.next];
+    }
+    ++from.next;
     if (from.is_empty() && from.count == kInboxFrames) refill(from_first ? 0 : 1);
   }
   return time_count_;
+}
+
+bool BusBundle::is_copy(const can::CanFrame& frame, std::size_t member) noexcept {
+  if (!is_for_both(frame.identifier)) return false;
+  Original& original = originals_[frame.identifier == can::kSyncIdentifier ? 0 : 1];
+  const bool is_same = original.is_awaited && original.member != member &&
+                       original.frame.identifier == frame.identifier &&
+                       std::ranges::equal(original.frame.bytes(), frame.bytes());
+  original = {.frame = frame, .member = member, .is_awaited = !is_same};
+  return is_same;
 }
 
 bool BusBundle::wait_readable(std::int64_t deadline_monotonic_ns) noexcept {

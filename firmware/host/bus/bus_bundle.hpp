@@ -12,7 +12,8 @@ namespace surefoot::host {
 ///
 /// Sends: left leg and left foot (nodes 2, 4) on the second bus; SYNC and the controller's heartbeat on both;
 /// all else on the first. Receives from both, whatever is heard where, merged by the kernel's time stamps. What one
-/// participant sends, in one call or several, comes in that order wherever a frame for both buses stands between.
+/// participant sends, in one call or several, comes in that order wherever a frame for both buses stands between;
+/// that one comes once, from the bus that was faster.
 class BusBundle final : public HostBus {
  public:
   using Members = std::array<std::unique_ptr<SocketBus>, 2>;
@@ -45,10 +46,20 @@ class BusBundle final : public HostBus {
   /// Sends what stands in the outboxes. @return frames that a bus refused
   std::size_t flush() noexcept;
   void refill(std::size_t member) noexcept;
+  /// Whether the other bus has just brought the very same frame for both buses.
+  [[nodiscard]] bool is_copy(const can::CanFrame& frame, std::size_t member) noexcept;
+
+  /// The last frame for both buses, whose copy on the other one is yet to come.
+  struct Original {
+    can::CanFrame frame{};
+    std::size_t member = 0;
+    bool is_awaited = false;
+  };
 
   Members members_;
   std::array<Inbox, 2> inboxes_;
   std::array<std::vector<can::CanFrame>, 2> outboxes_;
+  std::array<Original, 2> originals_{};  ///< SYNC, the controller's heartbeat
   std::array<std::int64_t, SocketBus::kMaxReceivedFrames> times_ns_{};
   std::size_t time_count_ = 0;
 };
