@@ -23,9 +23,9 @@ struct GroundTruth {
   double zmp_x_body_m = 0.0;       ///< from the contact forces
   int payloads_hung = 0;           ///< so far
   double payload_kg = 0.0;         ///< hung on so far
-  double slip_m = 0.0;      ///< running total: way the soles slid over the floor, weighted with the share of load
+  double slip_m = 0.0;  ///< running total: way the soles slid over the floor, weighted with the share of load
   std::uint32_t faults_active = 0;  ///< bit i: fault i of the scenario is on
-  bool has_fallen = false;  ///< latched: the body is below half its height or tilted by more than 45 degrees
+  bool has_fallen = false;          ///< latched: the body is below half its height or tilted by more than 45 degrees
 };
 
 }  // namespace surefoot::sim_hw

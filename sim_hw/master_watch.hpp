@@ -24,19 +24,21 @@ class MasterWatch {
     if (is_present_ && stamp.tick == tick_) return can::Rejection::kRepeated;
     if (is_present_ && stamp.tick - tick_ > max_gap_ticks) return can::Rejection::kLate;
     if (const auto rejection = sync_watch_.step(stamp.counter); rejection != can::Rejection::kNone) return rejection;
+    if (!is_present_) may_command_ = false;  // what an earlier one announced is not this one's
     tick_ = stamp.tick;
     is_present_ = true;
     return can::Rejection::kNone;
   }
 
-  /// Judges a controller heartbeat. Only one of our protocol version, operational, allows torques. While a master
-  /// runs, a heartbeat of another tick than its own is somebody else's.
+  /// Judges a controller heartbeat. Only one of our protocol version, operational, after its first SYNC,
+  /// allows torques. While a master runs, a heartbeat of another tick than its own is somebody else's.
   [[nodiscard]] can::Rejection on_heartbeat(const can::CanFrame& frame) noexcept {
     can::FrameStamp stamp;
     can::Heartbeat heartbeat;
     const can::Rejection rejection = can::decode_heartbeat(frame, stamp, heartbeat);
     if (rejection != can::Rejection::kNone) return rejection;
     if (is_present_ && ((stamp.tick ^ tick_) & 0xFFFFU) != 0) return can::Rejection::kLate;
+    if (!is_present_) return can::Rejection::kNone;  // an announcement
     const bool speaks_ours = heartbeat.protocol_version == can::kProtocolVersion;
     may_command_ = speaks_ours && heartbeat.state == can::NodeState::kOperational;
     return speaks_ours ? can::Rejection::kNone : can::Rejection::kImplausible;

@@ -146,7 +146,7 @@ struct SimulatedRobot::Parts {
     was_driven = true;
     silent_steps = 0;
     if (!line || clock == WorldClock::kFreeRunning) answers.begin_tick(stamp.tick);
-    update_power();
+    if (clock == WorldClock::kLockstep) update_power();  // free running: at the begin of a period, as the line does
 
     const SensedState sensed{.angle_rad = world.robot().angles_rad(),
                              .rate_rad_s = world.robot().rates_rad_s(),
@@ -171,7 +171,7 @@ struct SimulatedRobot::Parts {
   [[nodiscard]] bool has_come_back(std::uint32_t tick) const noexcept {
     if (clock != WorldClock::kFreeRunning || !was_driven) return false;
     const std::int64_t gap = static_cast<std::int64_t>(tick) - master.tick();
-    return std::abs(gap - silent_steps / steps_per_period) <= kFreeRunningSlackTicks;
+    return gap > 0 && gap <= silent_steps / steps_per_period + kFreeRunningSlackTicks;
   }
 
   /// How far the master may be ahead of its last SYNC. A world of its own clock knows how long ago that was.
@@ -290,6 +290,7 @@ void SimulatedRobot::announce(can::CanBus& bus) noexcept {
   parts_->nodes.for_each([this](can::Node name, auto& node) {
     if (!parts_->unpowered.has(name)) node.announce(parts_->outbox);
   });
+  if (parts_->clock == WorldClock::kLockstep) parts_->outbox.add(can::encode_lockstep_served({}));
   parts_->flush(bus);
 }
 

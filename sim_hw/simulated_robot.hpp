@@ -55,7 +55,8 @@ class SimulatedRobot {
   /// clock starts with the master's first tick; a master silent for the boards' watchdog time is released.
   void advance_to(double world_time_s, can::CanBus& bus) noexcept;
 
-  /// While no master runs: every node sends a heartbeat. To be called ten times a second, by a real clock.
+  /// While no master runs: every node sends a heartbeat, and a robot in lockstep says that it is one. To be
+  /// called ten times a second, by a real clock.
   void announce(can::CanBus& bus) noexcept;
 
   /// Lockstep: the master has fallen silent. The next one may begin at any tick; until then nothing moves.

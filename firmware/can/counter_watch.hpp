@@ -7,8 +7,8 @@
 namespace surefoot::can {
 
 /// Judges the rolling counter of one identifier. Show it only frames that are intact and of the running
-/// tick: an old frame played back would otherwise move the counter and hide the true one. Tick (16 bits) and counter (8 bits) repeat together every 65.536 s
-/// at 1 kHz: a frame of exactly that age passes both.
+/// tick: an old frame played back would otherwise move the counter and hide the true one. Tick (16 bits) and counter (8
+/// bits) repeat together every 65.536 s at 1 kHz: a frame of exactly that age passes both.
 class CounterWatch {
  public:
   /// @return kNone when the counter moved on (gaps are counted as lost frames), kRepeated when it did not

@@ -35,6 +35,7 @@ void FrameExchange::announce(CanBus& bus, NodeState state) noexcept {
 void FrameExchange::listen(CanBus& bus) noexcept { take_waiting(bus); }
 
 void FrameExchange::begin_tick(CanBus& bus, std::uint32_t tick) noexcept {
+  const bool has_missed_ticks = is_running_ && tick != tick_ + 1;
   tick_ = tick;
   snapshot_.tick = tick;
   answered_.fill(false);
@@ -43,7 +44,8 @@ void FrameExchange::begin_tick(CanBus& bus, std::uint32_t tick) noexcept {
   was_other_master_heard_ = false;
   std::array<CanFrame, 2> frames{encode_sync({.tick = tick, .counter = sync_counter_++})};
   std::size_t count = 1;
-  if (tick % kHeartbeatPeriodTicks == 0) frames[count++] = own_heartbeat(NodeState::kOperational);
+  // After a gap too: boards that gave this master up for lost would refuse its torques until the next one.
+  if (tick % kHeartbeatPeriodTicks == 0 || has_missed_ticks) frames[count++] = own_heartbeat(NodeState::kOperational);
   send(bus, std::span(frames).first(count));
 }
 
@@ -141,7 +143,12 @@ Rejection FrameExchange::judge_foreigner(const CanFrame& frame) noexcept {
 Rejection FrameExchange::accept_lockstep_served(const CanFrame& frame) noexcept {
   FrameStamp stamp;
   if (const Rejection rejection = decode_lockstep_served(frame, stamp); rejection != Rejection::kNone) return rejection;
-  if (!is_running_ || stamp.tick != tick_) return Rejection::kLate;
+  if (!is_running_) {
+    is_robot_in_lockstep_ = true;
+    return Rejection::kNone;
+  }
+  if (!is_robot_in_lockstep_) return Rejection::kUnknownIdentifier;
+  if (stamp.tick != tick_) return Rejection::kLate;
   const Rejection rejection = judge_counter(served_watch_, stamp);
   if (rejection == Rejection::kNone) is_served_ = true;
   return rejection;

@@ -62,6 +62,9 @@ class FrameExchange {
   /// was heard, fault 9 while a node speaks another protocol version.
   [[nodiscard]] safety::Finding finding() const noexcept;
 
+  /// Before tick 0 a simulated robot in lockstep said that it is one. Only then its marker counts in the loop.
+  [[nodiscard]] bool is_robot_in_lockstep() const noexcept { return is_robot_in_lockstep_; }
+
   /// @param node  one of `kSensorNodes`
   [[nodiscard]] const NodeStatus& node_status(Node node) const noexcept { return roster_.status(node); }
 
@@ -95,6 +98,7 @@ class FrameExchange {
   std::array<CounterWatch, kSensorNodes.size()> emergency_watch_{};
   std::array<bool, kSensorNodes.size()> answered_{};
   CounterWatch served_watch_{};
+  bool is_robot_in_lockstep_ = false;
   bool is_served_ = false;  ///< the simulated robot will not answer this tick any further
   bool is_running_ = false;
   bool was_other_master_heard_ = false;  ///< since `begin_tick` or `announce`

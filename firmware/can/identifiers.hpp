@@ -24,8 +24,9 @@ inline constexpr std::array kNodes{Node::kLegRight, Node::kLegLeft,  Node::kFoot
 
 inline constexpr std::uint16_t kSyncIdentifier = 0x080;
 
-/// Simulated robot only: it has answered all that it will for this tick's SYNC. Sent in lockstep when some
-/// node did not answer, so that the firmware need not wait for it.
+/// Simulated robot in lockstep only: it has answered all that it will for this tick's SYNC. Sent when some node
+/// did not answer, so that the firmware need not wait for it; and with the announcements before tick 0, so that
+/// firmware on the wall clock and a robot in lockstep do not take each other for their like.
 inline constexpr std::uint16_t kLockstepServedIdentifier = 0x7F0;
 
 [[nodiscard]] constexpr std::uint16_t emergency_identifier(Node node) noexcept {

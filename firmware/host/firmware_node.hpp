@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 
 #include "firmware/can/can_bus.hpp"
@@ -41,7 +42,10 @@ class FirmwareNode {
     const bool had_fault = output_.fault != safety::Fault::kNone;
     run_controller();
     exchange_.send_commands(bus, output_.command);
-    if (!had_fault && output_.fault != safety::Fault::kNone) exchange_.report(bus, output_.fault);
+    if (!had_fault && output_.fault != safety::Fault::kNone) {
+      exchange_.report(bus, output_.fault);
+      for (const can::Node node : can::kSensorNodes) restarts_at_fault_[can::slot(node)] = node_status(node).restarts;
+    }
     return output_;
   }
 
@@ -60,8 +64,12 @@ class FirmwareNode {
     run_controller();
   }
 
-  /// Makes the next tick latch a fault that the host has found, such as `kLoopOverrun`.
-  void request_stop(safety::Fault fault) noexcept { requested_ = safety::finding_of(fault); }
+  /// Ticks that were missed and shall not be made up for: after them the controller is in no state to walk on.
+  /// To be used with `request_stop` alone.
+  void skip_ticks(std::uint32_t ticks) noexcept { next_tick_ += ticks; }
+
+  /// Makes the next tick latch a fault that the host has found, such as `kLoopOverrun`; the worst state counts.
+  void request_stop(safety::Finding finding) noexcept { requested_ = followed_by(requested_, finding); }
 
   /// Inputs of the last tick.
   [[nodiscard]] const SensorSnapshot& snapshot() const noexcept { return snapshot_; }
@@ -72,9 +80,17 @@ class FirmwareNode {
     return exchange_.node_status(node);
   }
 
-  /// A node has announced since it was first heard that it started anew.
+  /// The tick that comes next.
+  [[nodiscard]] std::uint32_t next_tick() const noexcept { return next_tick_; }
+
+  /// Before tick 0: the robot is a simulated one that waits for us, tick by tick.
+  [[nodiscard]] bool is_robot_in_lockstep() const noexcept { return exchange_.is_robot_in_lockstep(); }
+
+  /// Every node has announced since the fault latched that it started anew: another robot, or the whole one again.
   [[nodiscard]] bool has_robot_restarted() const noexcept {
-    return std::ranges::any_of(can::kSensorNodes, [this](can::Node node) { return node_status(node).restarts > 0; });
+    return output_.fault != safety::Fault::kNone && std::ranges::all_of(can::kSensorNodes, [this](can::Node node) {
+             return node_status(node).restarts > restarts_at_fault_[can::slot(node)];
+           });
   }
 
  private:
@@ -88,6 +104,7 @@ class FirmwareNode {
   SensorSnapshot snapshot_{};
   safety::Finding requested_{};
   TickOutput output_{};
+  std::array<std::uint32_t, can::kSensorNodes.size()> restarts_at_fault_{};
   std::uint32_t next_tick_ = 0;
 };
 

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-_ROOMS = ("firmware", "sim_hw", "lcm_types", "tools", "tests")
+_ROOMS = ("firmware", "sim_hw", "lcm_types", "tools", "tests", "examples")
 _NOT_OURS = {"generated", "__pycache__", "build"}
 CPP_SUFFIXES = {".hpp", ".cpp", ".h", ".c"}
 

@@ -107,6 +107,22 @@ TEST_F(FirmwareProcess, DoesNotStartWithANodeOfAnotherProtocolVersion) {
   }
 }
 
+TEST_F(FirmwareProcess, DoesNotStartOnTheWallClockWithARobotThatWaitsForEachTick) {
+  host::StartUpConfig wall = short_start_up();
+  wall.clock = host::LoopClock::kWall;
+  EXPECT_THROW((void)start(node, bus, wall), host::StartUpError);
+}
+
+// In lockstep a robot with a clock of its own would be driven twenty times too fast.
+TEST_F(FirmwareProcess, DoesNotStartInLockstepWithARobotOnItsOwnClock) {
+  sim_hw::SimulatedRobot free(scenario.sim, run::standing_pose(scenario.firmware), sim_hw::WorldClock::kFreeRunning);
+  InlineBus free_bus([&free](InlineBus::FarEnd& far) {
+    free.serve(far);
+    if (!free.has_master()) free.announce(far);
+  });
+  EXPECT_THROW((void)start(node, free_bus), host::StartUpError);
+}
+
 TEST_F(FirmwareProcess, WalksInLockstepAsInOneProcess) {
   ASSERT_TRUE(start(node, bus));
   host::FirmwareLoopConfig config;
@@ -168,6 +184,43 @@ TEST_F(FirmwareProcess, CountsEveryTickOfTheWallClockAsRunOrMissed) {
   EXPECT_GE(result.ticks, config.ticks);
   EXPECT_EQ(result.report.ticks + result.report.missed_ticks, result.ticks);
   EXPECT_EQ(result.report.wake_up.count, static_cast<std::uint64_t>(result.report.ticks));
+}
+
+// The boards have damped by then: the robot is not where the references are.
+TEST_F(FirmwareProcess, DampsAfterAGapThatTheBoardsDoNotHoldThrough) {
+  ASSERT_TRUE(start(node, bus));
+  int waits = 0;
+  InlineBus stalled([&](InlineBus::FarEnd& far) {
+    if (++waits == 30) {
+      const std::int64_t until_ns = host::MonotonicClock::now_ns() + 60'000'000;
+      while (host::MonotonicClock::now_ns() < until_ns) {
+      }
+    }
+    robot(far);
+  });
+  host::FirmwareLoopConfig config;
+  config.clock = host::LoopClock::kWall;
+  config.ticks = 400;
+  config.ends_at_fault = true;
+  config.overruns.degrade_after_missed_ticks = 0;
+  const host::FirmwareLoopResult result = host::run_firmware_loop(node, stalled, config, observer, kNeverStop);
+  EXPECT_EQ(result.fault, safety::Fault::kLoopOverrun);
+  EXPECT_EQ(observer.last.safe_state, safety::SafeState::kDamp);
+}
+
+TEST_F(FirmwareProcess, AFloodedBusDoesNotKeepItFromStopping) {
+  ASSERT_TRUE(start(node, bus));
+  std::atomic<bool> stop{false};
+  int waits = 0;
+  InlineBus flooded([&](InlineBus::FarEnd& far) {
+    far.from_firmware.clear();
+    far.to_firmware.assign(1, can::encode_sync({}));
+    if (++waits == 100) stop.store(true);
+  });
+  host::FirmwareLoopConfig config;
+  config.clock = host::LoopClock::kWall;
+  (void)host::run_firmware_loop(node, flooded, config, observer, stop);
+  SUCCEED() << "it came back";
 }
 
 TEST_F(FirmwareProcess, AsksForASafeStopWhenItCannotKeepItsPeriod) {

@@ -77,6 +77,19 @@ TEST(LogJudge, JudgesAFaultAsTheLoopDoes) {
   expect_equal(run.beside_the_loop, run.from_the_log);
 }
 
+TEST(LogJudge, GivesNoVerdictWhenTheRobotsRecordBreaksOff) {
+  const TemporaryFolder folder;
+  run::RunOptions options;
+  options.folder = folder / "run";
+  (void)run_scenario("no_payload", {"duration_s=4"}, options);
+  const run::TelemetryLog firmware = run::read_telemetry_log(folder / "run" / "telemetry.lcmlog");
+  run::TelemetryLog robot = firmware;
+  robot.truths.resize(robot.truths.size() / 2);
+  const auto scenario =
+      run::scheduled(scenario::load(SUREFOOT_SCENARIOS "/no_payload.toml", std::vector<std::string>{"duration_s=4"}));
+  EXPECT_THROW((void)run::judge_logs(scenario, firmware, robot, false), run::TelemetryLogError);
+}
+
 TEST(TelemetryLog, AMissingFileIsNamedWithTheRemedy) {
   try {
     (void)run::read_telemetry_log("/nowhere/telemetry.lcmlog");

@@ -179,7 +179,7 @@ TEST(SafeStopOfALoadedRobot, StandsUpInEveryPhaseOfTheReflex) {
     WalkingRobot robot({}, {});
     robot.run_to(kWalking + after_ms);
     seen.push_back(robot.output().decision.phase);
-    robot.firmware.request_stop(Fault::kLoopOverrun);
+    robot.firmware.request_stop(safety::finding_of(Fault::kLoopOverrun));
     robot.run_to(kWalking + after_ms + kThreeSeconds);
     EXPECT_EQ(robot.output().fault, Fault::kLoopOverrun);
     EXPECT_TRUE(robot.stands()) << after_ms << " ms, tilt " << robot.tilt_deg;

@@ -1,5 +1,6 @@
 """Programs that meet on a CAN bus, started side by side; and what a candump log of them must be like."""
 
+import hashlib
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -110,5 +111,15 @@ def counter_steps(frames: list[tuple[str, dict[str, float]]]) -> set[int]:
 def truths(telemetry_log: Path) -> list:
     """What really happened, tick by tick, as the simulated robot recorded it."""
     decode = message_types().simulator_truth_t.decode
+    return [decode(encoded) for encoded in _encoded_truths(telemetry_log)]
+
+
+def truth_digests(telemetry_log: Path) -> dict[int, bytes]:
+    """The same by tick, as digests: two of them are equal when all bits are."""
+    decode = message_types().simulator_truth_t.decode
+    return {decode(encoded).tick: hashlib.sha256(encoded).digest() for encoded in _encoded_truths(telemetry_log)}
+
+
+def _encoded_truths(telemetry_log: Path) -> Iterator[bytes]:
     log = lcm.EventLog(str(telemetry_log), "r")
-    return [decode(event.data) for event in log if event.channel == "SUREFOOT_TRUTH"]
+    return (event.data for event in log if event.channel == "SUREFOOT_TRUTH")

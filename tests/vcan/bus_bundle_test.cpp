@@ -98,6 +98,27 @@ TEST_F(Bundle, WhatItHoldsBackForTheNextCallIsReadable) {
   EXPECT_FALSE(controller_->wait_readable(0));
 }
 
+// Torques of a tick and SYNC of the next leave in one call: a board must not see SYNC first.
+TEST_F(Bundle, SyncComesOnceAndAfterBothLegsTorques) {
+  std::vector<can::CanFrame> batch(4);
+  for (int tick = 0; tick < 200; ++tick) {
+    controller_->send(frames_of({0x201, 0x202, 0x080, 0x77F}));
+    ASSERT_EQ(receive_all(*robot_, batch), 4U);
+    const std::vector<std::uint16_t> heard = identifiers(batch);
+    ASSERT_THAT((std::vector{heard[0], heard[1]}), ::testing::UnorderedElementsAre(0x201, 0x202));
+    ASSERT_THAT((std::vector{heard[2], heard[3]}), ElementsAre(0x080, 0x77F));
+  }
+}
+
+TEST_F(Bundle, ASyncPlayedBackIsNoCopy) {
+  raw_right_.send_fd(0x080, 8);
+  raw_right_.send_fd(0x080, 8);
+  raw_left_.send_fd(0x080, 8);  // the copy of the last one
+  raw_left_.send_fd(0x080, 8);
+  raw_right_.send_fd(0x201, 8);
+  EXPECT_THAT(identifiers(received(*robot_, 4)), ElementsAre(0x080, 0x080, 0x080, 0x201));
+}
+
 // In lockstep the marker must not overtake what its sender sent before, on whichever bus.
 TEST_F(Bundle, ALockstepMarkerComesAfterAllThatWasSentBeforeIt) {
   for (int tick = 0; tick < 200; ++tick) {

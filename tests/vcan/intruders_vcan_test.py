@@ -16,27 +16,37 @@ import pytest
 from live_bus import (
     SHORT_WALK, WALKING_TICK, await_tick, both, cansend, identifier, listening, next_frame, running_tick, send_as,
 )  # fmt: skip
-from tests.python.robot_programs import DATABASE, PATIENCE_S, decoded_frame, running, surefoot_command, truths
+from tests.python.robot_programs import DATABASE, PATIENCE_S, decoded_frame, running, surefoot_command, truth_digests
 
 _SCENARIO = [*SHORT_WALK, "--set", "duration_s=20"]
 _QUIET_TICKS = 150  # after each of them: more than any time to ride through
-_OLD_TICKS = 1500  # of an old log; all of them are of the past when it is played
+_OLD_TICKS = 1500
 _MONITORED_FRAMES = 3000
 _FLOOD_FRAMES = 100_000
 _OPERATIONAL = 5
 
 
-def _garbage(_: Path) -> None:
+def _play(log: Path, frames: list[str]) -> None:
+    """All of them with one program: starting a cansend for each takes hundreds of ticks."""
+    log.write_text("".join(f"(0.000000) vcan0 {frame}\n" for frame in frames))
+    subprocess.run(["canplayer", "-I", log], check=True, timeout=PATIENCE_S)
+
+
+def _garbage(folder: Path) -> None:
     """Our identifiers with anything but our frames."""
     noise = random.Random(1)
+    frames = []
     for name in ("SYNC", "LEG_COMMAND_RIGHT", "HEARTBEAT_CONTROLLER", "LEG_STATE_LEFT", "LOCKSTEP_SERVED", "IMU"):
         message = DATABASE.get_message_by_name(name)
-        cansend(f"{message.frame_id:03X}##1{noise.randbytes(message.length).hex()}")
-        cansend(f"{message.frame_id:03X}##1{noise.randbytes(64).hex()}")
-        cansend(f"{message.frame_id:03X}##1")
-        cansend(f"{message.frame_id:03X}#{noise.randbytes(8).hex()}")
-        cansend(f"{message.frame_id:03X}#R")
-        cansend(f"{message.frame_id:08X}##1{noise.randbytes(message.length).hex()}")
+        frames += [
+            f"{message.frame_id:03X}##1{noise.randbytes(message.length).hex()}",
+            f"{message.frame_id:03X}##1{noise.randbytes(64).hex()}",
+            f"{message.frame_id:03X}##1",
+            f"{message.frame_id:03X}#{noise.randbytes(8).hex()}",
+            f"{message.frame_id:03X}#R",
+            f"{message.frame_id:08X}##1{noise.randbytes(message.length).hex()}",
+        ]
+    _play(folder / "garbage.log", frames)
 
 
 def _foreign_identifiers(_: Path) -> None:
@@ -44,13 +54,12 @@ def _foreign_identifiers(_: Path) -> None:
         cansend(frame)
 
 
-def _replayed_frames(_: Path) -> None:
+def _replayed_frames(folder: Path) -> None:
     """What was on the bus a moment ago, once more."""
     with listening("LEG_COMMAND_RIGHT", "LEG_COMMAND_LEFT", "LEG_STATE_RIGHT", "FOOT_FORCE_LEFT", "SYNC") as bus:
         heard = [next_frame(bus) for _ in range(20)]
     await_tick(running_tick() + 10)
-    for frame in heard:
-        cansend(f"{frame.arbitration_id:03X}##1{bytes(frame.data).hex()}")
+    _play(folder / "heard.log", [f"{frame.arbitration_id:03X}##1{bytes(frame.data).hex()}" for frame in heard])
 
 
 def _heartbeat_of_a_wrong_version(_: Path) -> None:
@@ -65,6 +74,15 @@ def _torques_of_a_tick_long_ago(_: Path) -> None:
 
 
 def _old_log_played_by_canplayer(folder: Path) -> None:
+    subprocess.run(["canplayer", "-I", folder / "old.log", "vcan0=can0"], check=True, timeout=PATIENCE_S)
+
+
+def _flood(folder: Path) -> None:
+    subprocess.run(["canplayer", "-I", folder / "flood.log"], check=True, timeout=PATIENCE_S)
+
+
+def _write_old_log(folder: Path) -> None:
+    """The begin of another run, all of whose ticks are of the past when it is played."""
     sync = f"{identifier('SYNC'):03X}##"
     lines, ticks = [], 0
     for line in (folder / "undisturbed" / "run" / "bus.log").read_text().splitlines(keepends=True):
@@ -72,21 +90,18 @@ def _old_log_played_by_canplayer(folder: Path) -> None:
         if ticks > _OLD_TICKS:
             break
         lines.append(line)
-    log = folder / "old.log"
-    log.write_text("".join(lines))
-    subprocess.run(["canplayer", "-I", log, "vcan0=can0"], check=True, timeout=PATIENCE_S)
+    (folder / "old.log").write_text("".join(lines))
 
 
-def _flood(folder: Path) -> None:
+def _write_flood(folder: Path) -> None:
     """Frames of every shape, half of them under our identifiers, 50 to a millisecond."""
     noise = random.Random(2)
     ours = [message.frame_id for message in DATABASE.messages]
     lines = []
     for k in range(_FLOOD_FRAMES):
-        of_us = noise.random() < 0.5
-        frame_id = noise.choice(ours) if of_us else noise.randrange(0x800)
-        shape = noise.random()
+        frame_id = noise.choice(ours) if noise.random() < 0.5 else noise.randrange(0x800)
         length = noise.choice([0, 1, 2, 3, 4, 5, 6, 7, 8, 12, 16, 20, 24, 32, 48, 64])
+        shape = noise.random()
         if shape < 0.7:
             text = f"{frame_id:03X}##{noise.randrange(4)}{noise.randbytes(length).hex()}"
         elif shape < 0.8:
@@ -96,9 +111,7 @@ def _flood(folder: Path) -> None:
         else:
             text = f"{frame_id:03X}#R"
         lines.append(f"({k // 50 * 0.001:.6f}) vcan0 {text}\n")
-    log = folder / "flood.log"
-    log.write_text("".join(lines))
-    subprocess.run(["canplayer", "-I", log], check=True, timeout=PATIENCE_S)
+    (folder / "flood.log").write_text("".join(lines))
 
 
 _INTRUSIONS: list[Callable[[Path], None]] = [
@@ -117,7 +130,7 @@ class Story:
     expected: dict[int, bytes]
     firmware: dict
     fault_tick: int
-    has_fallen: bool
+    robot_said: str
 
 
 @pytest.fixture(scope="module")
@@ -126,6 +139,8 @@ def story(tmp_path_factory: pytest.TempPathFactory) -> Story:
     reference = surefoot_command("run", *_SCENARIO, "--out", folder / "undisturbed" / "run")
     with running(reference, folder / "undisturbed") as undisturbed:
         assert undisturbed.wait() == 0, undisturbed.out + undisturbed.err
+    _write_old_log(folder)
+    _write_flood(folder)
     simulator = surefoot_command("sim", *_SCENARIO, "--bus", "socketcan:vcan0", "--out", folder / "robot")
     firmware = surefoot_command("firmware", *_SCENARIO, "--bus", "socketcan:vcan0", "--out", folder / "firmware")
     spans = {}
@@ -139,7 +154,8 @@ def story(tmp_path_factory: pytest.TempPathFactory) -> Story:
             intrude(folder)
             spans[intrude.__name__] = (begin, await_tick(running_tick() + _QUIET_TICKS))
         fault_tick = running_tick()
-        send_as("HEARTBEAT_FOOT_LEFT", nmt_state=_OPERATIONAL, protocol_version=2, tick=0, counter=7)
+        for _ in range(2):  # one of them may have the counter of the foot's own last one
+            send_as("HEARTBEAT_FOOT_LEFT", nmt_state=_OPERATIONAL, protocol_version=2, tick=0)
         controller.await_message("latched")
         await_tick(running_tick() + 500)
         controller.signal(signal.SIGINT)
@@ -147,11 +163,10 @@ def story(tmp_path_factory: pytest.TempPathFactory) -> Story:
         robot.signal(signal.SIGINT)
         assert robot.wait() == 0
     report = json.loads((folder / "firmware" / "firmware.json").read_text())
-    live = truths(folder / "robot" / "telemetry.lcmlog")
     return Story(
-        spans=spans, monitored=monitored, firmware=report, fault_tick=fault_tick, has_fallen=live[-1].has_fallen,
-        live={truth.tick: truth.encode() for truth in live},
-        expected={truth.tick: truth.encode() for truth in truths(folder / "undisturbed" / "run" / "telemetry.lcmlog")},
+        spans=spans, monitored=monitored, firmware=report, fault_tick=fault_tick, robot_said=robot.err,
+        live=truth_digests(folder / "robot" / "telemetry.lcmlog"),
+        expected=truth_digests(folder / "undisturbed" / "run" / "telemetry.lcmlog"),
     )  # fmt: skip
 
 
@@ -164,9 +179,8 @@ def test_it_walks_as_if_nobody_were_there_before_the_first_of_them(story: Story)
 @pytest.mark.parametrize("intrusion", [intrude.__name__ for intrude in _INTRUSIONS])
 def test_nothing_moves_by_a_bit_and_it_walks_on(story: Story, intrusion: str):
     begin, end = story.spans[intrusion]
-    compared = range(begin, min(end, max(story.expected)))
-    assert len(compared) >= _QUIET_TICKS, "the undisturbed walk is too short for this machine"
-    assert [tick for tick in compared if story.live[tick] != story.expected[tick]] == []
+    assert end <= max(story.expected), "the undisturbed walk is too short for this machine"
+    assert [tick for tick in range(begin, end) if story.live[tick] != story.expected[tick]] == []
 
 
 def test_what_was_sent_did_arrive_and_was_counted(story: Story):
@@ -185,4 +199,4 @@ def test_a_python_monitor_decodes_every_frame_of_the_walk(story: Story):
 def test_a_node_that_speaks_another_version_ends_the_walk_in_a_latched_fault_on_both_feet(story: Story):
     assert story.firmware["fault"] == 9
     assert max(story.live) > story.fault_tick + 400
-    assert not story.has_fallen
+    assert "fell" not in story.robot_said

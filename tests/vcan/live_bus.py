@@ -22,6 +22,7 @@ SHORT_WALK = [
 ]  # fmt: skip
 WALKING_TICK = 2000
 _END = "7FE#E0D0"  # of nobody
+_CODEC = Codec()
 
 
 def identifier(name: str) -> int:
@@ -75,11 +76,10 @@ def await_tick(tick: int) -> int:
     """Until the master has sent SYNC of that tick or a later one, which is returned."""
     end_s = time.monotonic() + PATIENCE_S
     now = -1
-    codec = Codec()
     with listening("SYNC") as bus:
         while now < tick:
             assert time.monotonic() < end_s, f"waited in vain for tick {tick}, the last was {now}"
-            decoded = codec.decode(next_frame(bus))  # None: damaged by an intruder
+            decoded = _CODEC.decode(next_frame(bus))  # None: damaged by an intruder
             now = decoded[1]["tick"] if decoded else now
     return now
 
@@ -99,9 +99,7 @@ def cansend(frame: str, interface: str = "vcan0") -> None:
     subprocess.run(["cansend", interface, frame], check=True, timeout=PATIENCE_S)
 
 
-def send_as(name: str, counter: int = 0, **signals: float) -> None:
-    """A frame of the database with a right CRC, whoever is to send it."""
-    codec = Codec()
-    for _ in range(counter + 1):
-        frame = codec.encode(name, **signals)
+def send_as(name: str, **signals: float) -> None:
+    """A frame of the database with a counter that moves and a right CRC, whoever is to send it."""
+    frame = _CODEC.encode(name, **signals)
     cansend(f"{frame.arbitration_id:03X}##1{bytes(frame.data).hex()}")

@@ -7,11 +7,14 @@ from pathlib import Path
 
 import pytest
 from live_bus import SHORT_WALK, candump
-from tests.python.robot_programs import counter_steps, decoded, running, surefoot_command, truths
+from tests.python.robot_programs import counter_steps, decoded, running, surefoot_command, truth_digests
 
-# The main job until the feet have shifted: load at 1.2 s, reflex, both feet in the air, settling.
-_MAIN_JOB = ["--set", "duration_s=4", "--set", "limits.min_cycles_after_recovery=0"]
-_TWO_BUSES = [*SHORT_WALK, "--set", "duration_s=0.2", "--set", "bus.count=2"]
+# The main job until it settles: load at 1.2 s, detection, reflex, both feet in the air, stance.
+_MAIN_JOB = ["--set", "duration_s=2.5", "--set", "limits.min_cycles_after_recovery=0"]
+_TWO_BUSES = [
+    *SHORT_WALK, "--set", "gait.single_support_s=1", "--set", "gait.double_support_s=0.7",
+    "--set", "detector.learning_s=3.4", "--set", "duration_s=0.2", "--set", "bus.count=2",
+]  # fmt: skip
 
 # What a second process and a real start-up make different: heartbeats before tick 0, and wall time.
 _OF_THE_WAY = {"bus_log_sha256", "frames_sent", "bus", "bus_load_percent", "tick_us", "real_time_factor", "timing"}
@@ -77,12 +80,13 @@ def test_the_verdict_is_the_same(runs: tuple[Run, Run]):
 def test_the_torque_frames_are_the_same_bits(runs: tuple[Run, Run]):
     memory, vcan = (run.frames(0x080, 0x201, 0x202) for run in runs)
     assert vcan == memory
-    assert len(vcan[0x201]) > 9000
+    assert len(vcan[0x201]) > 7000
 
 
 def test_the_world_went_through_the_same_states(runs: tuple[Run, Run]):
-    memory, vcan = (truths(run.folder / "telemetry.lcmlog") for run in runs)
-    assert [truth.encode() for truth in vcan] == [truth.encode() for truth in memory]
+    memory, vcan = (truth_digests(run.folder / "telemetry.lcmlog") for run in runs)
+    assert vcan.keys() == memory.keys()
+    assert [tick for tick in memory if vcan[tick] != memory[tick]] == []
 
 
 def test_only_heartbeats_before_the_first_tick_come_on_top(runs: tuple[Run, Run]):

@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
+#include <charconv>
 #include <memory>
+#include <string>
+#include <system_error>
 
 #include "firmware/host/realtime/wake_up_probe.hpp"
 #include "tools/cli/bus_options.hpp"
@@ -15,9 +18,19 @@ struct FirmwareArguments : BusProcessArguments {
   bool starts_again = false;
   bool probes = false;
   double patience_s = 30.0;
+  int max_missed_ticks = host::OverrunPolicy{}.degrade_after_missed_ticks;
 };
 
 void say(const std::string& message) { fmt::print(stderr, "firmware: {}\n", message); }
+
+/// What is wrong with a patience, or nothing; NaN passes CLI11's own range.
+std::string refuse_patience(const std::string& text) {
+  double patience_s = 0.0;
+  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), patience_s);
+  const bool is_whole = error == std::errc{} && rest == text.data() + text.size();
+  if (is_whole && patience_s >= 0.1 && patience_s <= 86400.0) return "";
+  return fmt::format("is {}; expected 0.1 to 86400", text);
+}
 
 /// Wake-ups of this machine in the time before the loop, with the loop's own rights.
 void probe(const host::RealtimeRequest& rights, std::int64_t period_ns) {
@@ -49,6 +62,7 @@ run::ExitCode run(const FirmwareArguments& arguments) {
   options.is_realtime = !arguments.is_lockstep() || arguments.fifo_priority > 0;
   options.rights.fifo_priority = arguments.fifo_priority;
   options.rights.cpu = arguments.cpu;
+  options.overruns.degrade_after_missed_ticks = arguments.max_missed_ticks;
   options.stop = &stop_requested();
   options.on_message = say;
   if (arguments.probes) probe(options.rights, std::llround(scenario.firmware.period_s * 1e9));
@@ -65,11 +79,19 @@ void add_firmware(CLI::App& app, run::ExitCode& result) {
   CLI::App* command = app.add_subcommand("firmware", "The balance firmware as a process on a CAN bus.");
   add_bus_process_options(*command, *arguments);
   command->add_flag("--once", arguments->ends_with_run, "End with the scenario's last tick, or with a fault");
-  command->add_flag("--start-again", arguments->starts_again,
-                    "After a fault: once the robot announces that it has started anew, power up anew");
+  command
+      ->add_flag("--start-again", arguments->starts_again,
+                 "After a fault: once the robot announces that it has started anew, power up anew")
+      ->excludes("--once");
   command->add_option("--patience", arguments->patience_s, "Seconds to wait for the robot's nodes (default 30)")
       ->type_name("SECONDS")
-      ->check(CLI::Range(0.1, 86400.0));
+      ->check(refuse_patience);
+  command
+      ->add_option("--max-missed", arguments->max_missed_ticks,
+                   "Wall clock: missed ticks among the last 1000 that latch fault 7; 0: never")
+      ->type_name("TICKS")
+      ->check(CLI::Range(0, host::OverrunPolicy::kMostMissedTicks))
+      ->capture_default_str();
   command->add_flag("--probe", arguments->probes,
                     "First measure this machine's wake-ups for 10 s, as cyclictest does, with the loop's own rights");
   command->footer(

@@ -95,6 +95,10 @@ std::map<std::string, LoggedLoad> bus_log_load(const std::filesystem::path& log)
     load.nominal_bits += counted->bits.nominal;
     load.data_bits += counted->bits.data;
   }
+  if (loads.empty()) {
+    throw CandumpLogError(
+        fmt::format("{}: holds no frame\n  remedy: give a log that candump -L or surefoot run wrote", log.string()));
+  }
   return loads;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -82,7 +83,11 @@ class Process {
     host::RecordedBus bus(bus_, recorder);
     host::FirmwareNode node(scenario_.firmware);
     host::StartUpConfig start_up;
-    start_up.patience_ns = std::llround(options_.patience_s * 1e9);
+    start_up.clock = options_.clock;
+    // Once it has run, it waits for its robot as long as it takes.
+    const bool is_first = report_.starts == 0;
+    start_up.patience_ns =
+        is_first ? std::llround(options_.patience_s * 1e9) : std::numeric_limits<std::int64_t>::max();
     say("waiting for the robot");
     if (!host::await_robot(node, bus, start_up, stop(),
                            [this](const std::string& missing) { say(fmt::format("still waiting for {}", missing)); })) {
@@ -97,6 +102,7 @@ class Process {
     report_.loop = host::run_firmware_loop(node, bus, loop_config(), observer, stop());
     const double wall_s = 1e-9 * static_cast<double>(host::MonotonicClock::now_ns() - start_ns);
     report_.frames = node.counters();
+    report_.frames.refused_by_bus += report_.loop.refused_by_bus;
     report_.allocations_in_loop += loop_recorder.allocations();
     report_.allocations_were_counted = host::allocation_guard::is_available();
     report_.real_time_factor = static_cast<double>(report_.loop.ticks) * scenario_.firmware.period_s / wall_s;

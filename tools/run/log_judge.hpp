@@ -12,6 +12,7 @@ namespace surefoot::run {
 /// @param scenario         with its time zero set; telemetry.every_ticks must have been 1
 /// @param firmware, robot  what each recorded
 /// @param was_interrupted  stopped from outside before the scenario's end
+/// @throws TelemetryLogError when the robot's log breaks off long before the firmware's
 [[nodiscard]] Verdict judge_logs(const scenario::Scenario& scenario, const TelemetryLog& firmware,
                                  const TelemetryLog& robot, bool was_interrupted);
 

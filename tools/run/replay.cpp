@@ -80,13 +80,61 @@ void run_start_up(host::FirmwareNode& firmware, RecordedTick& start_up, ReplayRe
   compare(start_up, result);
 }
 
-void run_tick(host::FirmwareNode& firmware, RecordedTick& tick, ReplayResult& result) {
+/// @param logged_tick  as SYNC said; ticks before it that were missed on the wall clock are missed again
+void run_tick(host::FirmwareNode& firmware, RecordedTick& tick, std::uint32_t logged_tick, ReplayResult& result) {
+  while (firmware.next_tick() < logged_tick) firmware.miss_tick();
   firmware.begin_tick(tick);
   static_cast<void>(firmware.collect(tick));
   firmware.finish_tick(tick);
   compare(tick, result);
   ++result.ticks;
 }
+
+/// Cuts the log into start-ups and ticks.
+class Replay {
+ public:
+  explicit Replay(const ControllerConfig& config) : config_(config), firmware_(config) {}
+
+  void take(const can::CanFrame& frame) {
+    can::FrameStamp stamp;
+    if (can::decode_sync(frame, stamp) == can::Rejection::kNone) {
+      end_stretch();
+      is_in_tick_ = true;
+      logged_tick_ = stamp.tick;
+    } else if (has_torques_ && frame.identifier == can::heartbeat_identifier(can::Node::kController)) {
+      end_stretch();  // announced after the torques, not after SYNC: the firmware has started anew
+      firmware_ = host::FirmwareNode(config_);
+    }
+    (is_from_controller(frame) ? stretch_.from_controller : stretch_.from_nodes).push_back(frame);
+    has_torques_ = has_torques_ || frame.identifier == can::command_identifier(can::Node::kLegLeft);
+  }
+
+  [[nodiscard]] ReplayResult finish() {
+    result_.ends_in_mid_tick = is_in_tick_ && !has_torques_;
+    if (has_torques_) end_stretch();
+    return result_;
+  }
+
+ private:
+  void end_stretch() {
+    if (is_in_tick_) {
+      run_tick(firmware_, stretch_, logged_tick_, result_);
+    } else {
+      run_start_up(firmware_, stretch_, result_);
+    }
+    stretch_.clear();
+    is_in_tick_ = false;
+    has_torques_ = false;
+  }
+
+  const ControllerConfig& config_;
+  host::FirmwareNode firmware_;
+  RecordedTick stretch_;
+  ReplayResult result_;
+  std::uint32_t logged_tick_ = 0;
+  bool is_in_tick_ = false;
+  bool has_torques_ = false;
+};
 
 void require_file(const std::filesystem::path& path) {
   std::error_code error;
@@ -102,31 +150,9 @@ ReplayResult replay(const std::filesystem::path& run_folder) {
   for (const char* file : {"scenario.toml", "bus.log"}) require_file(run_folder / file);
   const scenario::Scenario scenario = scenario::load(run_folder / "scenario.toml", {});
   CandumpLogReader log(run_folder / "bus.log");
-  host::FirmwareNode firmware(scenario.firmware);
-  RecordedTick tick;
-  ReplayResult result;
-
-  bool is_first = true;
-  bool has_torques = false;
-  while (const std::optional<LoggedFrame> logged = log.next()) {
-    if (logged->frame.identifier == can::kSyncIdentifier) {
-      if (is_first) {
-        run_start_up(firmware, tick, result);
-      } else {
-        run_tick(firmware, tick, result);
-      }
-      is_first = false;
-      has_torques = false;
-      tick.clear();
-    }
-    (is_from_controller(logged->frame) ? tick.from_controller : tick.from_nodes).push_back(logged->frame);
-    has_torques = has_torques || logged->frame.identifier == can::command_identifier(can::Node::kLegLeft);
-  }
-  if (has_torques) {
-    run_tick(firmware, tick, result);
-  } else {
-    result.ends_in_mid_tick = !is_first;
-  }
+  Replay replay(scenario.firmware);
+  while (const std::optional<LoggedFrame> logged = log.next()) replay.take(logged->frame);
+  const ReplayResult result = replay.finish();
   if (result.ticks == 0) {
     throw RunFolderError(
         fmt::format("{}: holds no whole tick\n  remedy: run the scenario again", (run_folder / "bus.log").string()));

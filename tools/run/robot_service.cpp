@@ -168,7 +168,8 @@ class Appearance {
     if (recorder_ == nullptr || !had_master_) return;
     for (const RunEvent& event : events) {
       // Faults begin and end with a SYNC, which may have come in one go with the torques of the period before.
-      const bool is_of_wire = event.code == event_t::FAULT_INJECTED || event.code == event_t::FAULT_ENDED;
+      const bool is_of_wire =
+          is_lockstep() && (event.code == event_t::FAULT_INJECTED || event.code == event_t::FAULT_ENDED);
       const std::uint32_t tick = is_of_wire ? robot_.wire_tick() : robot_.truth_tick();
       const std::int64_t utime_us = utime_us_of(tick);
       recorder_->push(host::Channel::kEvent, utime_us,
@@ -224,6 +225,7 @@ std::string to_json(const RobotServiceReport& report) {
       {"falls", report.falls},
       {"periods", report.periods},
       {"real_time_factor", report.real_time_factor},
+      {"telemetry_dropped", report.telemetry_dropped},
       {"frames_sent", report.counters.sent},
       {"frames_received", report.counters.received},
       {"frames_rejected", rejected},
@@ -263,7 +265,16 @@ RobotServiceReport serve_robot(const scenario::Scenario& scenario, host::HostBus
       report.real_time_factor = simulated_s / std::max(appearance.driven_wall_s(), 1e-9);
     }
     if (appearance.has_fallen()) ++report.falls;
-    if (recorder) static_cast<void>(recorder->finish());
+    if (recorder) {
+      const host::RecordingSummary recorded = recorder->finish();
+      report.telemetry_dropped += recorded.frames_dropped + recorded.messages_dropped;
+      if (recorded.error) {
+        throw RecordingFailure(
+            fmt::format("{}\n  what was recorded until then is kept\n  remedy: free disk space, or "
+                        "name another folder with --out",
+                        recorded.error->message));
+      }
+    }
   } while (!is_stopped() && !(options.ends_with_master && report.masters > 0));
   report.bus = bus.report();
   if (!options.folder.empty()) write_whole_file(options.folder / "robot.json", to_json(report));

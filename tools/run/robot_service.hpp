@@ -29,7 +29,8 @@ struct RobotServiceReport {
   std::uint64_t falls = 0;
   std::uint64_t periods = 0;  ///< simulated under the last master
   double real_time_factor = 0.0;
-  sim_hw::NodeCounters counters{};  ///< of the last master's robot
+  std::uint64_t telemetry_dropped = 0;  ///< messages and frames that found the recorder's ring full
+  sim_hw::NodeCounters counters{};      ///< of the last master's robot
   host::BusReport bus{};
 };
 

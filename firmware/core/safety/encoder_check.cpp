@@ -3,6 +3,12 @@
 #include <cmath>
 
 namespace surefoot::safety {
+namespace {
+
+/// Across a longer gap two rates say little of the way between them.
+constexpr std::uint32_t kLongestGapTicks = 5;
+
+}  // namespace
 
 bool are_encoders_plausible(const EncoderCheckConfig& config, EncoderCheckState& state, const PerSide<LegSensors>& legs,
                             double period_s) noexcept {
@@ -16,7 +22,7 @@ bool are_encoders_plausible(const EncoderCheckConfig& config, EncoderCheckState&
       double& residual_rad = state.residual_rad[leg][joint];
       residual_rad *= kept;
       if (!now.freshness.is_fresh()) continue;
-      if (state.was_heard[leg]) {
+      if (state.was_heard[leg] && state.elapsed_ticks[leg] <= kLongestGapTicks) {
         const double rate_rad_s = 0.5 * (now.rate_rad_s[joint] + state.last_rate_rad_s[leg][joint]);
         residual_rad += now.angle_rad[joint] - state.last_angle_rad[leg][joint] - rate_rad_s * elapsed_s;
       }

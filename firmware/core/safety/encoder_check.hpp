@@ -21,7 +21,8 @@ struct EncoderCheckState {
 
 /// One tick. For each joint the way that the encoder moved, less the way by the mean of the rates before
 /// and after, is added to a leaky sum: an encoder that sticks or jumps, and a rate that sticks, show there.
-/// So does not: both stuck together, a drift slower than limit / time constant, a joint that does not move.
+/// What happens in a gap of more than five ticks is not judged. Nor do show: both stuck together, a drift
+/// slower than limit / time constant, a joint that does not move.
 ///
 /// @param period_s  time since the last call, > 0, and less than the time constant
 /// @return false when a joint that spoke in this tick is beyond the limit

@@ -26,14 +26,17 @@ class HeldBus final : public can::CanBus {
 
   void flush() noexcept {
     // What the bus refuses is lost and shows as a gap: the tick does not wait.
-    static_cast<void>(bus_.send({held_.data(), count_}));
+    refused_ += count_ - bus_.send({held_.data(), count_});
     count_ = 0;
   }
+
+  [[nodiscard]] std::uint64_t refused() const noexcept { return refused_; }
 
  private:
   can::CanBus& bus_;
   std::array<can::CanFrame, 8> held_{};
   std::size_t count_ = 0;
+  std::uint64_t refused_ = 0;
 };
 
 class Loop {
@@ -80,6 +83,7 @@ class Loop {
       report_now_and_then(end_ns, reported_ns);
     }
     held.flush();
+    result_.refused_by_bus = held.refused();
   }
 
   /// @return false when the robot did not answer in time
@@ -104,18 +108,27 @@ class Loop {
       const std::int64_t due_ns = grid_.due_ns();
       const std::int64_t begin_ns = MonotonicClock::now_ns();
       wake_up_.add(begin_ns - due_ns);
+      if (begin_ns - due_ns >= config_.period_ns) {
+        go_on(begin_ns, 1);
+        continue;
+      }
       observer_.before_tick((begin_ns - start_ns) / 1000);
       node_.begin_tick(bus_);
       const std::int64_t sent_ns = MonotonicClock::now_ns();
       bool is_complete = node_.collect(bus_);
-      while (!is_complete && bus_.wait_readable(due_ns + window_ns)) is_complete = node_.collect(bus_);
+      // From SYNC on, not from the instant: a tick that began late needs its answers just as much, and the grid
+      // keeps the phase.
+      while (!is_complete && bus_.wait_readable(sent_ns + window_ns)) {
+        is_complete = node_.collect(bus_);
+        if (MonotonicClock::now_ns() >= sent_ns + window_ns) break;  // a flooded bus is always readable
+      }
       const std::int64_t answered_ns = MonotonicClock::now_ns();
       finish(bus_);
       const std::int64_t end_ns = MonotonicClock::now_ns();
       compute_.add((sent_ns - begin_ns) + (end_ns - answered_ns));
       if (is_complete) frame_.add(answered_ns - sent_ns);
       ++ran_;
-      go_on(end_ns);
+      go_on(end_ns, 0);
       report_now_and_then(end_ns, reported_ns);
     }
   }
@@ -127,11 +140,17 @@ class Loop {
   }
 
   /// To the next instant that can still be met.
-  void go_on(std::int64_t now_ns) noexcept {
+  /// @param unsent  1 when the tick at work was not sent, for it came too late itself
+  void go_on(std::int64_t now_ns, std::int64_t unsent) noexcept {
     const Wake wake = grid_.advance(now_ns);
-    for (std::int64_t missed = 0; missed < wake.missed; ++missed) node_.miss_tick();
+    const std::int64_t missed = wake.missed + unsent;
+    const std::int64_t made_up_for = std::min(missed, config_.most_missed_at_once);
+    if (missed > made_up_for) node_.request_stop({safety::Fault::kLoopOverrun, safety::SafeState::kDamp});
+    for (std::int64_t tick = 0; tick < made_up_for; ++tick) node_.miss_tick();
+    node_.skip_ticks(static_cast<std::uint32_t>(missed - made_up_for));
     tick_ = wake.tick;
-    if (grid_.is_degraded()) node_.request_stop(safety::Fault::kLoopOverrun);
+    unsent_ += unsent;
+    if (grid_.is_degraded()) node_.request_stop(finding_of(safety::Fault::kLoopOverrun));
   }
 
   void report_now_and_then(std::int64_t now_ns, std::int64_t& reported_ns) noexcept {
@@ -143,7 +162,9 @@ class Loop {
 
   [[nodiscard]] LoopReport report() const noexcept {
     const std::int64_t ran = config_.clock == LoopClock::kLockstep ? tick_ : ran_;
-    return report_of(ran, grid_, wake_up_, compute_, frame_, thread_resource_usage() - usage_before_);
+    LoopReport report = report_of(ran, grid_, wake_up_, compute_, frame_, thread_resource_usage() - usage_before_);
+    report.missed_ticks += unsent_;
+    return report;
   }
 
   FirmwareNode& node_;
@@ -160,6 +181,7 @@ class Loop {
   ResourceUsage usage_before_{};
   std::int64_t tick_ = 0;
   std::int64_t ran_ = 0;
+  std::int64_t unsent_ = 0;  ///< ticks that were due, and too late when they began
   bool is_silent_ = false;
 };
 

@@ -34,6 +34,16 @@ void refuse_foreign_version(const FirmwareNode& node) {
   }
 }
 
+/// In lockstep ticks come as fast as the answers: for a robot with a clock of its own that is far too fast.
+void refuse_other_clock(const FirmwareNode& node, LoopClock clock) {
+  const bool is_lockstep = clock == LoopClock::kLockstep;
+  if (node.is_robot_in_lockstep() == is_lockstep) return;
+  throw StartUpError(is_lockstep ? "this robot runs on a clock of its own, the firmware in lockstep\n"
+                                   "  remedy: --clock wall; lockstep is for `surefoot sim` in lockstep only"
+                                 : "this robot waits for each tick (lockstep), the firmware runs on the wall clock\n"
+                                   "  remedy: --clock lockstep, or start `surefoot sim` with --clock wall");
+}
+
 std::string missing_nodes(const FirmwareNode& node) {
   std::string missing;
   for (const can::Node each : can::kSensorNodes) {
@@ -57,7 +67,10 @@ bool await_robot(FirmwareNode& node, HostBus& bus, const StartUpConfig& config, 
     listen_until(node, bus, next_ns + kAnnouncePeriod_ns);
     refuse_second_master(node);
     refuse_foreign_version(node);
-    if (node.is_everybody_ready()) return true;
+    if (node.is_everybody_ready()) {
+      refuse_other_clock(node, config.clock);
+      return true;
+    }
     if (stop.load(std::memory_order_relaxed)) return false;
     const std::int64_t now_ns = MonotonicClock::now_ns();
     if (now_ns - start_ns > config.patience_ns) {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "firmware/host/bus/host_bus.hpp"
-#include "firmware/host/firmware_node.hpp"
+#include "firmware/host/loop/firmware_loop.hpp"
 
 namespace surefoot::host {
 
@@ -18,6 +18,7 @@ class StartUpError : public std::runtime_error {
 };
 
 struct StartUpConfig {
+  LoopClock clock = LoopClock::kLockstep;     ///< a robot that keeps another one is refused
   std::int64_t listen_ns = 300'000'000;       ///< silence of another master before the first frame is sent
   std::int64_t patience_ns = 30'000'000'000;  ///< how long nodes are awaited
 };
@@ -28,7 +29,7 @@ struct StartUpConfig {
 ///
 /// @param on_waiting  called once a second with the nodes that are still missing
 /// @return false when `stop` was set
-/// @throws StartUpError on another master, a foreign version, or nodes that do not come
+/// @throws StartUpError on another master, a foreign version, a robot with another clock, or nodes that do not come
 [[nodiscard]] bool await_robot(FirmwareNode&, HostBus&, const StartUpConfig&, const std::atomic<bool>& stop,
                                const std::function<void(const std::string& missing)>& on_waiting);
 

@@ -1,57 +1,11 @@
-#include "firmware/can/frame_exchange.hpp"
-
 #include <gtest/gtest.h>
 
-#include "tests/unit/firmware_can/scripted_bus.hpp"
+#include "tests/unit/firmware_can/frame_exchange_fixture.hpp"
 
 namespace surefoot::can {
 namespace {
 
-/// Five nodes in good health, one counter for each.
-struct Robot {
-  std::array<std::uint8_t, 5> counter{};
-
-  CanFrame leg(Side side, std::uint32_t tick) {
-    LegSensors sensors;
-    sensors.angle_rad.fill(side == Side::kRight ? 0.25 : -0.25);
-    return encode_leg_state(side, {.tick = tick, .counter = counter[index(side)]++}, sensors, {.is_damping = true});
-  }
-  CanFrame foot(Side side, std::uint32_t tick) {
-    FootSensors sensors;
-    sensors.corner_force_n.fill(side == Side::kRight ? 100.0 : 50.0);
-    return encode_foot_force(side, {.tick = tick, .counter = counter[2 + index(side)]++}, sensors);
-  }
-  CanFrame imu(std::uint32_t tick) {
-    ImuSensors sensors;
-    sensors.specific_force_body_m_s2 = {0.0, 0.0, 9.81};
-    return encode_imu({.tick = tick, .counter = counter[4]++}, sensors);
-  }
-  std::vector<CanFrame> answer(std::uint32_t tick) {
-    return {leg(Side::kRight, tick), leg(Side::kLeft, tick), foot(Side::kRight, tick), foot(Side::kLeft, tick),
-            imu(tick)};
-  }
-};
-
-struct FrameExchangeTest : ::testing::Test {
-  ScriptedBus bus;
-  FrameExchange exchange;
-  Robot robot;
-
-  std::uint64_t rejected(Rejection cause) const {
-    return exchange.counters().rejected[static_cast<std::size_t>(cause)];
-  }
-  std::uint64_t rejected() const {
-    std::uint64_t sum = 0;
-    for (const std::uint64_t count : exchange.counters().rejected) sum += count;
-    return sum;
-  }
-  const SensorSnapshot& run_tick(std::uint32_t tick, std::vector<CanFrame> incoming) {
-    exchange.begin_tick(bus, tick);
-    bus.incoming = std::move(incoming);
-    static_cast<void>(exchange.collect(bus));
-    return exchange.finish_collecting();
-  }
-};
+using FrameExchangeTest = testing::FrameExchangeTest;
 
 TEST_F(FrameExchangeTest, OpensEachTickWithASyncOfThatTick) {
   for (std::uint32_t tick : {70'001U, 70'002U}) exchange.begin_tick(bus, tick);
@@ -248,63 +202,7 @@ TEST_F(FrameExchangeTest, KeepsTheLastEmergencyOfEachNode) {
   EXPECT_EQ(exchange.node_status(Node::kLegRight).emergencies, 0U);
 }
 
-TEST_F(FrameExchangeTest, AnnouncesItselfAndWaitsUntilEverybodyHasAnnouncedTheRightVersion) {
-  exchange.announce(bus, NodeState::kPreOperational);
-  ASSERT_EQ(bus.sent.size(), 1U);
-  FrameStamp stamp;
-  Heartbeat heartbeat;
-  ASSERT_EQ(decode_heartbeat(bus.sent[0], stamp, heartbeat), Rejection::kNone);
-  EXPECT_EQ(bus.sent[0].identifier, heartbeat_identifier(Node::kController));
-  EXPECT_EQ(heartbeat.state, NodeState::kPreOperational);
-  for (const Node node : kSensorNodes) {
-    EXPECT_FALSE(exchange.is_everybody_ready());
-    bus.incoming = {encode_heartbeat(node, {}, {.state = NodeState::kPreOperational})};
-    exchange.listen(bus);
-  }
-  EXPECT_TRUE(exchange.is_everybody_ready());
-}
-
-TEST_F(FrameExchangeTest, TakesNoStateBeforeTheLoopAndNamesAMasterThatRunsAlready) {
-  bus.incoming = robot.answer(0);  // to a SYNC of somebody else
-  exchange.listen(bus);
-  EXPECT_EQ(rejected(Rejection::kLate), 5U);
-  EXPECT_EQ(exchange.finding().fault, safety::Fault::kNone);
-  bus.incoming = {encode_sync({.tick = 400'000})};
-  exchange.listen(bus);
-  EXPECT_EQ(exchange.finding().fault, safety::Fault::kSecondMaster);
-  exchange.announce(bus, NodeState::kPreOperational);
-  EXPECT_EQ(exchange.finding().fault, safety::Fault::kNone) << "heard since the last announcement, or not";
-}
-
-TEST_F(FrameExchangeTest, TellsASecondMasterFromAnOldFramePlayedBack) {
-  exchange.begin_tick(bus, 2000);
-  bus.incoming = {encode_sync({.tick = 1999}), encode_leg_command(Side::kRight, {.tick = 1999}, {})};
-  static_cast<void>(exchange.collect(bus));
-  EXPECT_EQ(exchange.finding().fault, safety::Fault::kNone);
-  EXPECT_EQ(exchange.counters().from_other_master, 0U);
-  bus.incoming = {encode_leg_command(Side::kRight, {.tick = 2000}, {})};
-  static_cast<void>(exchange.collect(bus));
-  EXPECT_EQ(exchange.finding().fault, safety::Fault::kSecondMaster);
-  EXPECT_EQ(exchange.finding().needs, safety::SafeState::kStanceHold);
-  EXPECT_EQ(exchange.counters().from_other_master, 1U);
-  EXPECT_EQ(rejected(Rejection::kUnknownIdentifier), 3U);
-}
-
 // The simulated robot in lockstep: a node that is dead by scenario is not waited for.
-TEST_F(FrameExchangeTest, IsCompleteWhenTheSimulatedRobotSaysThatItHasServedThisTick) {
-  exchange.begin_tick(bus, 70'000);
-  bus.incoming = {encode_lockstep_served({.tick = 69'999, .counter = 0})};
-  EXPECT_FALSE(exchange.collect(bus));
-  bus.incoming = {encode_lockstep_served({.tick = 70'000 - 65'536, .counter = 1})};
-  EXPECT_FALSE(exchange.collect(bus)) << "it carries all 32 bits";
-  EXPECT_EQ(rejected(Rejection::kLate), 2U);
-  bus.incoming = {encode_lockstep_served({.tick = 70'000, .counter = 2})};
-  EXPECT_TRUE(exchange.collect(bus));
-  EXPECT_EQ(exchange.finish_collecting().torso.freshness.was_heard(), false);
-  exchange.begin_tick(bus, 70'001);
-  EXPECT_FALSE(exchange.collect(bus)) << "the next tick is awaited anew";
-}
-
 TEST_F(FrameExchangeTest, ReportsAFaultAsAnEmergencyOfTheController) {
   exchange.begin_tick(bus, 77);
   bus.sent.clear();

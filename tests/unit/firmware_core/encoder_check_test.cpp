@@ -105,8 +105,17 @@ TEST(EncoderCheck, JudgesNobodyWhoIsSilentAndCountsTheWayOfTheGap) {
   }
   EXPECT_TRUE(robot.next());
   EXPECT_LT(std::abs(robot.state.residual_rad[0][2]), 1e-5);
-  for (int i = 0; i < 10; ++i) static_cast<void>(robot.next([](auto& legs) { legs[0].freshness.age_ticks = 1; }));
+  for (int i = 0; i < 4; ++i) static_cast<void>(robot.next([](auto& legs) { legs[0].freshness.age_ticks = 1; }));
   EXPECT_FALSE(robot.next([](auto& legs) { legs[0].angle_rad[2] += 0.02; })) << "a jump hidden in a gap shows after it";
+}
+
+// A host that stalls: two rates say little of the way between them.
+TEST(EncoderCheck, DoesNotJudgeAcrossALongGap) {
+  SwingingLegs robot;
+  for (int i = 0; i < 1400; ++i) ASSERT_TRUE(robot.next());
+  for (int i = 0; i < 5; ++i) static_cast<void>(robot.next([](auto& legs) { legs[0].freshness.age_ticks = 1; }));
+  EXPECT_TRUE(robot.next([](auto& legs) { legs[0].angle_rad[2] += 0.02; }));
+  EXPECT_FALSE(robot.next([](auto& legs) { legs[0].angle_rad[2] += 0.04; })) << "from there on it does";
 }
 
 }  // namespace

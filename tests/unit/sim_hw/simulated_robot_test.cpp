@@ -201,11 +201,27 @@ TEST(SimulatedRobot, TakesNoHeartbeatOfAnotherTickWhileItsMasterRuns) {
   EXPECT_GT(held.robot.truth().time_s, time_s);
 }
 
+TEST(SimulatedRobot, TakesNoTorqueOnTheStrengthOfAnotherMastersHeartbeat) {
+  HeldRobot held({});
+  held.puppeteer.wire.to_robot.push_back(
+      can::encode_heartbeat(can::Node::kController, {.tick = 777}, {.state = can::NodeState::kOperational}));
+  held.puppeteer.wire.to_robot.push_back(can::encode_sync({.tick = 5}));
+  held.robot.serve(held.puppeteer.wire);
+  held.puppeteer.tick = 5;
+  for (const Side side : kSides) {
+    held.puppeteer.wire.to_robot.push_back(held.puppeteer.command_frame(side, {LegMode::kTorque, {}}));
+  }
+  held.robot.serve(held.puppeteer.wire);
+  EXPECT_EQ(held.robot.truth().time_s, 0.0) << "the torques did not count";
+}
+
 TEST(SimulatedRobot, AnnouncesItsNodesWhileNoMasterRuns) {
   HeldRobot held({});
   for (const can::NodeState state : {can::NodeState::kBootUp, can::NodeState::kPreOperational}) {
     held.robot.announce(held.puppeteer.wire);
-    ASSERT_EQ(held.puppeteer.wire.from_robot.size(), 5U);
+    ASSERT_EQ(held.puppeteer.wire.from_robot.size(), 6U);
+    EXPECT_EQ(held.puppeteer.wire.from_robot.back().identifier, can::kLockstepServedIdentifier);
+    held.puppeteer.wire.from_robot.pop_back();
     for (const can::CanFrame& frame : held.puppeteer.wire.from_robot) {
       can::FrameStamp stamp;
       can::Heartbeat heartbeat;
