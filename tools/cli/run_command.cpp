@@ -70,7 +70,8 @@ void print(const run::Verdict& verdict, const RunArguments& arguments, const std
 
 /// Firmware and robot as two processes on a bus of the operating system.
 run::ExitCode run_on_bus(const RunArguments& arguments, scenario::Scenario scenario) {
-  static_cast<void>(host::parse_bus_address(arguments.bus));  // throws before there is a run folder
+  // Opened and closed again: what is wrong with it shall be said once, before there is a run folder.
+  static_cast<void>(host::open_bus(arguments.bus, host::BusRole::kEverything));
   run::TwoProcessOptions options;
   options.program = std::filesystem::read_symlink("/proc/self/exe");
   options.folder = folder_of(arguments);
