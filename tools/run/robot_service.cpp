@@ -147,6 +147,7 @@ class Appearance {
       return tell_silence("the world stands still");
     }
     if (robot_.has_master()) {
+      if (lost_master_ns_ != 0) say(fmt::format("the master is back at its tick {}", robot_.tick()));
       lost_master_ns_ = 0;
       return;
     }

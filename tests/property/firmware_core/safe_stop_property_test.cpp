@@ -73,8 +73,8 @@ TEST(SafeStopProperty, TheFeetStayOnOrAboveTheFloorAndOneOfThemOnIt) {
       const FootReference feet = stopped.next().feet;
       const double right_m = feet[0].position_body_m.z() + stopped.run.walk.body_height_m;
       const double left_m = feet[1].position_body_m.z() + stopped.run.walk.body_height_m;
-      RC_ASSERT(std::min(right_m, left_m) > -1e-12);
-      RC_ASSERT(std::min(right_m, left_m) < 1e-12);
+      // Picometres are the quintic's rounding, just before a touch-down; a plan without `landing_s` dips by 0.1 mm.
+      RC_ASSERT(std::abs(std::min(right_m, left_m)) < 1e-9);
     }
   }));
 }
