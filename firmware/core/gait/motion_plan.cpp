@@ -1,17 +1,24 @@
 #include "firmware/core/gait/motion_plan.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "firmware/core/gait/nominal_walk.hpp"
 
 namespace surefoot::gait {
 namespace {
 
-/// A quintic that starts shortly before touch-down would dip below the floor (by 0.03 mm in 0.1 s, 0.11 mm
-/// in 0.2 s): a falling foot lands no later than it would by braking evenly, 2 h / |v|.
-double landing_s(const ScalarMotion& height, double floor_m, double duration_s) noexcept {
-  if (height.velocity >= 0.0) return duration_s;
-  return std::min(duration_s, 2.0 * (height.position - floor_m) / -height.velocity);
+/// A quintic to the floor can dip below it: started shortly before touch-down (by 0.03 mm in 0.1 s, 0.11 mm in
+/// 0.2 s), or while the foot is accelerated downwards (1.9 mm in 0.5 s). So a foot lands no later than it would
+/// by braking evenly, 2 h / |v|, and before 10 h + 4 v T + a T^2 / 2 turns negative: the quintic is (1 - t/T)^3
+/// times a parabola that is h at its begin and this at its end.
+double landing_s(const ScalarMotion& motion, double floor_m, double duration_s) noexcept {
+  const double height_m = motion.position - floor_m;
+  double landing_s = duration_s;
+  if (motion.velocity < 0.0) landing_s = std::min(landing_s, 2.0 * height_m / -motion.velocity);
+  if (motion.acceleration >= 0.0) return landing_s;
+  const double root = std::sqrt(16.0 * motion.velocity * motion.velocity - 20.0 * motion.acceleration * height_m);
+  return std::min(landing_s, (4.0 * motion.velocity + root) / -motion.acceleration);
 }
 
 ScalarMotion smooth(const ScalarMotion& from, double end_m, Eigen::Index axis, double duration_s,
