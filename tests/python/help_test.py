@@ -33,6 +33,6 @@ def test_keys_gives_unit_range_default_and_meaning_of_every_key_of_a_recorded_sc
     table = ""
     for line in scenario.splitlines():
         if header := re.match(r"\[+(\w+)\]+", line):
-            table = {"payload": "payload.N."}.get(header[1], header[1] + ".")
-        elif key := re.match(r"(\w+) =", line):
+            table = {"payload": "payload.N.", "fault": "fault.N."}.get(header[1], header[1] + ".")
+        elif key := re.match(r"(\w+) = (?!\[\]$)", line):
             assert re.search(rf"^  {re.escape(table + key[1])} +\w+ +\w.*\n +.*default ", listed, re.MULTILINE), key[1]
