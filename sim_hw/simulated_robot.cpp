@@ -18,6 +18,7 @@ namespace surefoot::sim_hw {
 namespace {
 
 constexpr std::size_t kBatchFrames = 16;
+constexpr std::uint32_t kNoTick = 0xFFFF'FFFFU;     // of a marker before tick 0: nobody's SYNC is meant
 constexpr std::int64_t kFreeRunningSlackTicks = 5;  // a SYNC that was late, and one that is early
 
 const SimConfig& checked(const SimConfig& config) {
@@ -101,6 +102,10 @@ struct SimulatedRobot::Parts {
     nodes.for_each([&](can::Node name, auto& node) {
       if (before.has(name) && !unpowered.has(name)) node.restart(outbox);
     });
+  }
+
+  [[nodiscard]] can::CanFrame served_marker(std::uint32_t tick) noexcept {
+    return can::encode_lockstep_served({.tick = tick, .counter = marker_counter++});
   }
 
   [[nodiscard]] bool hears(can::Node node) const noexcept { return !line || line->hears(node); }
@@ -253,6 +258,7 @@ struct SimulatedRobot::Parts {
   std::int64_t clock_origin_step = 0;  ///< step of the master's first SYNC
   std::int64_t silent_steps = 0;       ///< since the last SYNC
   int steps_in_period = 0;
+  std::uint8_t marker_counter = 0;
   std::int64_t periods = 0;          ///< closed since the start
   std::uint32_t tick_of_period = 0;  ///< master's tick of the period that runs or comes next
   std::uint32_t truth_tick = 0;      ///< of the last closed one
@@ -290,8 +296,13 @@ void SimulatedRobot::announce(can::CanBus& bus) noexcept {
   parts_->nodes.for_each([this](can::Node name, auto& node) {
     if (!parts_->unpowered.has(name)) node.announce(parts_->outbox);
   });
-  if (parts_->clock == WorldClock::kLockstep) parts_->outbox.add(can::encode_lockstep_served({}));
+  if (parts_->clock == WorldClock::kLockstep) parts_->outbox.add(parts_->served_marker(kNoTick));
   parts_->flush(bus);
+}
+
+void SimulatedRobot::tell_served(can::CanBus& bus) noexcept {
+  const can::CanFrame marker = parts_->served_marker(wire_tick());
+  static_cast<void>(bus.send({&marker, 1}));
 }
 
 void SimulatedRobot::release_master() noexcept { parts_->release_master(); }

@@ -69,6 +69,10 @@ class SimulatedRobot {
   /// as well while a fault keeps SYNC from the robot.
   [[nodiscard]] bool has_answered_fully() const noexcept;
 
+  /// Lockstep: tells the master that no more answers to its last SYNC will come. Past the faults of the scenario,
+  /// for this frame is none of the robot's.
+  void tell_served(can::CanBus& bus) noexcept;
+
   /// Tick of the last SYNC that came to the robot's end of the bus, also when a fault kept it from the nodes.
   [[nodiscard]] std::uint32_t wire_tick() const noexcept;
 

@@ -130,8 +130,7 @@ class Appearance {
   void tell_when_answers_are_missing() noexcept {
     if (robot_.has_answered_fully() || marked_tick_ == robot_.wire_tick()) return;
     marked_tick_ = robot_.wire_tick();
-    const can::CanFrame marker = can::encode_lockstep_served({.tick = marked_tick_, .counter = marker_counter_++});
-    static_cast<void>(bus_.send({&marker, 1}));
+    robot_.tell_served(bus_);
   }
 
   void watch_master(std::int64_t now_ns) {
@@ -210,7 +209,6 @@ class Appearance {
   std::int64_t lost_master_ns_ = 0;
   std::uint32_t marked_tick_ = 0xFFFF'FFFFU;
   std::uint32_t heard_tick_ = 0;
-  std::uint8_t marker_counter_ = 0;
   bool had_master_ = false;
   bool has_told_fall_ = false;
   bool is_over_ = false;
