@@ -11,6 +11,7 @@
 #include "firmware/host/allocation_guard.hpp"
 #include "firmware/host/realtime/monotonic_clock.hpp"
 #include "firmware/host/recorded_bus.hpp"
+#include "tools/run/bus_report_json.hpp"
 #include "tools/run/fault_teller.hpp"
 #include "tools/run/firmware_recorder.hpp"
 #include "tools/run/open_recorder.hpp"
@@ -168,15 +169,7 @@ std::string to_json(const FirmwareProcessReport& report) {
         {"lost", report.frames.lost},
         {"refused_by_bus", report.frames.refused_by_bus},
         {"rejected", rejected}}},
-      {"bus",
-       {{"sent", report.bus.sent},
-        {"received", report.bus.received},
-        {"refused_no_buffer", report.bus.refused_no_buffer},
-        {"link_down", report.bus.link_down},
-        {"error_frames", report.bus.error_frames},
-        {"bus_off", report.bus.bus_off},
-        {"foreign_shape", report.bus.foreign_shape},
-        {"queue_overflow", report.bus.queue_overflow}}},
+      {"bus", json_of(report.bus)},
   };
   return json.dump(2) + "\n";
 }

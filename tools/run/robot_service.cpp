@@ -11,6 +11,7 @@
 #include "firmware/host/realtime/monotonic_clock.hpp"
 #include "firmware/host/recorded_bus.hpp"
 #include "firmware/host/run_recorder.hpp"
+#include "tools/run/bus_report_json.hpp"
 #include "tools/run/event_watch.hpp"
 #include "tools/run/open_recorder.hpp"
 #include "tools/run/run_folder.hpp"
@@ -231,15 +232,7 @@ std::string to_json(const RobotServiceReport& report) {
       {"frames_rejected_late", report.counters.rejected[static_cast<std::size_t>(can::Rejection::kLate)]},
       {"frames_refused_by_bus", report.counters.refused_by_bus},
       {"frames_lost", report.counters.lost},
-      {"bus",
-       {{"sent", report.bus.sent},
-        {"received", report.bus.received},
-        {"refused_no_buffer", report.bus.refused_no_buffer},
-        {"link_down", report.bus.link_down},
-        {"error_frames", report.bus.error_frames},
-        {"bus_off", report.bus.bus_off},
-        {"foreign_shape", report.bus.foreign_shape},
-        {"queue_overflow", report.bus.queue_overflow}}},
+      {"bus", json_of(report.bus)},
   };
   return json.dump(2) + "\n";
 }
