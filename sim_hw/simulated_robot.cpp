@@ -136,6 +136,7 @@ struct SimulatedRobot::Parts {
     can::FrameStamp stamp;
     if (const auto rejection = can::decode_sync(frame, stamp); rejection != can::Rejection::kNone) return rejection;
     const bool is_first = !master.is_present();
+    if (is_first && expects_power_up && stamp.tick != 0) return can::Rejection::kLate;
     const bool is_back = is_first && has_come_back(stamp.tick);
     const std::uint32_t last_tick = master.tick();
     if (const auto rejection = master.on_sync(stamp, max_gap_ticks()); rejection != can::Rejection::kNone) {
@@ -144,6 +145,7 @@ struct SimulatedRobot::Parts {
     if (is_first) {
       if (!is_back) clock_origin_step = step - wire.periods_until(stamp.tick) * steps_per_period;
       tick_of_period = stamp.tick;
+      first_tick = stamp.tick;
     } else if (clock == WorldClock::kLockstep) {
       catch_up(stamp.tick - last_tick);
     }
@@ -260,9 +262,11 @@ struct SimulatedRobot::Parts {
   int steps_in_period = 0;
   std::uint8_t marker_counter = 0;
   std::int64_t periods = 0;          ///< closed since the start
+  std::uint32_t first_tick = 0;      ///< of the master that came last
   std::uint32_t tick_of_period = 0;  ///< master's tick of the period that runs or comes next
   std::uint32_t truth_tick = 0;      ///< of the last closed one
   WireClock wire;                    ///< without faults it stands still
+  bool expects_power_up = false;
   bool was_driven = false;
   bool is_period_open = false;  ///< SYNC came, the period of its tick has not been simulated yet
 };
@@ -316,6 +320,10 @@ std::uint32_t SimulatedRobot::wire_tick() const noexcept {
 }
 
 std::uint32_t SimulatedRobot::tick() const noexcept { return parts_->master.tick(); }
+
+std::uint32_t SimulatedRobot::first_tick() const noexcept { return parts_->first_tick; }
+
+void SimulatedRobot::expect_power_up(bool is_expected) noexcept { parts_->expects_power_up = is_expected; }
 
 std::int64_t SimulatedRobot::periods() const noexcept { return parts_->periods; }
 

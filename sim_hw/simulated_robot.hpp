@@ -62,6 +62,10 @@ class SimulatedRobot {
   /// Lockstep: the master has fallen silent. The next one may begin at any tick; until then nothing moves.
   void release_master() noexcept;
 
+  /// While true, only a master that powers up is met, at its tick 0. One in the middle of its run is left alone: what
+  /// it still sends to a robot that is being switched on was meant for an earlier one.
+  void expect_power_up(bool is_expected) noexcept;
+
   /// Whether somebody drives this robot.
   [[nodiscard]] bool has_master() const noexcept;
 
@@ -78,6 +82,9 @@ class SimulatedRobot {
 
   /// Tick of the last SYNC that the nodes heard.
   [[nodiscard]] std::uint32_t tick() const noexcept;
+
+  /// Tick at which the nodes met their master.
+  [[nodiscard]] std::uint32_t first_tick() const noexcept;
 
   /// Control periods simulated since the start; `truth` is of the end of the last one.
   [[nodiscard]] std::int64_t periods() const noexcept;

@@ -7,7 +7,17 @@ from pathlib import Path
 
 import pytest
 from live_bus import candump
-from tests.python.robot_programs import Program, counter_steps, decoded, example_command, running, surefoot_command, truths
+from tests.python.command_line import wait_until
+from tests.python.robot_programs import (
+    PATIENCE_S,
+    Program,
+    counter_steps,
+    decoded,
+    example_command,
+    running,
+    surefoot_command,
+    truths,
+)
 
 _STAND_S, _SQUAT_S, _DEPTH_M = 0.4, 1.2, 0.05  # of stand_and_squat.py
 _CLIENT_FRAMES = {"SYNC", "LEG_COMMAND_RIGHT", "LEG_COMMAND_LEFT", "HEARTBEAT_CONTROLLER"}

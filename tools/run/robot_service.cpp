@@ -25,6 +25,8 @@ using host::MonotonicClock;
 
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
 constexpr std::int64_t kAnnouncePeriod_ns = 100'000'000;
+/// A firmware that starts again as soon as it hears the boards boot may still send for some ticks.
+constexpr std::int64_t kPowerUp_ns = 200'000'000;
 
 /// Records under the tick that SYNC names, so that equal lockstep runs give equal logs.
 class SyncStampedTap final : public host::BusTap {
@@ -65,11 +67,14 @@ class Appearance {
   /// Until the master is gone, or `stop`.
   void run() {
     say("the robot stands, waiting for a master");
+    const std::int64_t up_ns = MonotonicClock::now_ns() + kPowerUp_ns;
     robot_.announce(bus_);  // boot-up, also when a master is sending already
     while (!is_stopped() && !is_over_) {
       if (recorder_ != nullptr && is_lockstep()) recorder_->wait_for_room();
       static_cast<void>(bus_.wait_readable(next_deadline_ns(MonotonicClock::now_ns())));
-      step(MonotonicClock::now_ns());
+      const std::int64_t now_ns = MonotonicClock::now_ns();
+      robot_.expect_power_up(!is_lockstep() && now_ns < up_ns);
+      step(now_ns);
     }
   }
 
@@ -118,7 +123,7 @@ class Appearance {
     had_master_ = true;
     first_sync_ns_ = now_ns;
     last_heard_ns_ = now_ns;
-    say(fmt::format("a master drives the robot from its tick {} on", robot_.tick()));
+    say(fmt::format("a master drives the robot from its tick {} on", robot_.first_tick()));
   }
 
   void announce_if_due(std::int64_t now_ns) {

@@ -180,6 +180,30 @@ TEST(SimulatedRobot, ServesAControllerThatStartedAnewOnceTheOldOneIsGone) {
   EXPECT_TRUE(held.robot.has_master());
 }
 
+TEST(SimulatedRobot, LeavesAMasterInTheMiddleOfItsRunAloneWhileOneIsToPowerUp) {
+  HeldRobot held({});
+  held.robot.expect_power_up(true);
+  held.puppeteer.wire.to_robot.push_back(can::encode_sync({.tick = 812, .counter = 44}));
+  held.robot.serve(held.puppeteer.wire);
+  EXPECT_FALSE(held.robot.has_master());
+  EXPECT_TRUE(held.puppeteer.wire.from_robot.empty());
+  held.puppeteer.wire.to_robot.push_back(can::encode_sync({.tick = 0, .counter = 7}));
+  held.robot.serve(held.puppeteer.wire);
+  EXPECT_TRUE(held.robot.has_master());
+  EXPECT_FALSE(held.puppeteer.wire.from_robot.empty());
+}
+
+TEST(SimulatedRobot, KnowsTheTickAtWhichItMetItsMaster) {
+  HeldRobot held({});
+  for (const std::uint32_t tick : {812U, 813U}) {
+    held.puppeteer.wire.to_robot.push_back(
+        can::encode_sync({.tick = tick, .counter = static_cast<std::uint8_t>(tick % 256)}));
+    held.robot.serve(held.puppeteer.wire);
+  }
+  EXPECT_EQ(held.robot.tick(), 813U);
+  EXPECT_EQ(held.robot.first_tick(), 812U);
+}
+
 TEST(SimulatedRobot, TakesNoTorqueFromAMasterThatIsNotOperational) {
   HeldRobot held({});
   held.stand(0.01);
