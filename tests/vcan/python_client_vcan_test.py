@@ -86,6 +86,7 @@ def test_sensors_are_read_until_ctrl_c_and_the_robot_is_left_damped(tmp_path: Pa
     with candump("vcan0", log), running(simulator, tmp_path / "sim") as robot:
         with running(example_command("read_sensors.py"), tmp_path / "client") as client:
             robot.await_message("a master drives the robot")
+            wait_until(lambda: "t = " in client.out, PATIENCE_S)
             client.signal(signal.SIGINT)
             assert (client.wait(), client.err) == (130, "")
         assert robot.wait() == 0
