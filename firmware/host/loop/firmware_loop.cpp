@@ -101,7 +101,9 @@ class Loop {
 
   void run_on_wall_clock() noexcept {
     const auto window_ns = static_cast<std::int64_t>(config_.receive_window * static_cast<double>(config_.period_ns));
-    const std::int64_t start_ns = MonotonicClock::now_ns() + 2 * config_.period_ns;
+    if (!clock_.sleep_until_ns(MonotonicClock::now_ns() + 2 * config_.period_ns)) return;
+    // The grid begins with its first tick, however late that is: a robot meets its master at tick 0.
+    const std::int64_t start_ns = MonotonicClock::now_ns();
     grid_ = PeriodGrid(start_ns, config_.period_ns, config_.overruns);
     std::int64_t reported_ns = start_ns;
     while (!is_over() && clock_.sleep_until_ns(grid_.due_ns())) {
