@@ -15,6 +15,8 @@ namespace {
 
 constexpr double kMinLinkKg = 0.1;
 constexpr double kMaxPhysicsStepS = 2.0e-3;
+constexpr double kMaxSlopeDeg = 15.0;
+constexpr double kLongestPushS = 3600.0;
 
 /// Written so that NaN fails.
 void require(bool holds, std::string_view field, double value, std::string_view expected, std::string_view remedy) {
@@ -110,6 +112,42 @@ void check_faults(const std::vector<FaultConfig>& faults) {
   }
 }
 
+void check_slope(const ContactConfig& contact) {
+  for (const auto& [field, value] : {std::pair{"floor.slope_pitch_deg", contact.slope_pitch_deg},
+                                     {"floor.slope_roll_deg", contact.slope_roll_deg}}) {
+    require(std::abs(value) <= kMaxSlopeDeg, field, value, "-15 to 15 degrees", "use 0 for a level floor");
+  }
+}
+
+void check_payloads(const std::vector<PayloadConfig>& payloads) {
+  for (const PayloadConfig& payload : payloads) {
+    require_not_negative("payload.mass_kg", payload.mass_kg);
+    require_not_negative("payload.edge_m", payload.edge_m);
+    require(std::isfinite(payload.at_s), "payload.at_s", payload.at_s, "a finite time", "give seconds");
+    require(payload.removed_at_s > payload.at_s, "payload.removed_at_s", payload.removed_at_s,
+            fmt::format("later than payload.at_s ({})", payload.at_s), "give seconds, or inf for never");
+    for (const double place : payload.position_m) {
+      require(std::isfinite(place), "payload.position_m", place, "a finite place", "give metres in the body frame");
+    }
+  }
+}
+
+void check_pushes(const std::vector<PushConfig>& pushes) {
+  require(pushes.size() <= kMaxPushes, "push count", static_cast<double>(pushes.size()), "at most 16",
+          "remove some of the pushes");
+  for (const PushConfig& push : pushes) {
+    require(std::isfinite(push.at_s), "push.at_s", push.at_s, "a finite time", "give seconds");
+    require(push.duration_s > 0.0 && push.duration_s <= kLongestPushS, "push.duration_s", push.duration_s,
+            "more than 0, up to 3600 s", "give seconds");
+    for (const double component : push.force_n) {
+      require(std::isfinite(component), "push.force_n", component, "a finite force", "give newtons in the world frame");
+    }
+    for (const double place : push.point_body_m) {
+      require(std::isfinite(place), "push.point_body_m", place, "a finite place", "give metres in the body frame");
+    }
+  }
+}
+
 }  // namespace
 
 void check(const SimConfig& config) {
@@ -120,14 +158,9 @@ void check(const SimConfig& config) {
   check_contact(config.contact);
   check_faults(config.faults);
   check_bus(config.bus);
-  for (const PayloadConfig& payload : config.payloads) {
-    require_not_negative("payload.mass_kg", payload.mass_kg);
-    require_not_negative("payload.edge_m", payload.edge_m);
-    require(std::isfinite(payload.at_s), "payload.at_s", payload.at_s, "a finite time", "give seconds");
-    for (const double place : payload.position_m) {
-      require(std::isfinite(place), "payload.position_m", place, "a finite place", "give metres in the body frame");
-    }
-  }
+  check_slope(config.contact);
+  check_payloads(config.payloads);
+  check_pushes(config.pushes);
 }
 
 }  // namespace surefoot::sim_hw

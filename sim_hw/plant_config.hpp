@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "firmware/core/geometry/robot_geometry.hpp"
@@ -37,9 +38,15 @@ enum class ContactModel : std::uint8_t {
 };
 
 /// Floor and soles. Stiffness and damping are per corner.
+///
+/// The floor is a plane. Its slopes are turns of the floor as torso angles are turns of the torso, rotation z-y-x with
+/// yaw zero: a positive pitch goes downhill ahead, a positive roll downhill to the right. The world frame is the
+/// floor's: z along its normal, x ahead at the start; only gravity leans in it.
 struct ContactConfig {
-  ContactModel model = ContactModel::kSpringDamper;
   double friction = 0.7;
+  double slope_pitch_deg = 0.0;  ///< about y, positive downhill ahead
+  double slope_roll_deg = 0.0;   ///< about x, positive downhill to the right
+  ContactModel model = ContactModel::kSpringDamper;
   double normal_stiffness_n_per_m = 6.0e5;
   double normal_damping_n_s_per_m = 3000.0;
   double tangential_stiffness_n_per_m = 1.0e4;
@@ -63,13 +70,29 @@ enum class PayloadInertia : std::uint8_t {
   kExact,   ///< trunk and box about their common centre of mass (parallel axes)
 };
 
-/// A box hung on the trunk at one instant, eqs. (3.8)-(3.10), without velocity jump.
+/// An instant that never comes.
+inline constexpr double kNever_s = std::numeric_limits<double>::infinity();
+
+/// A box hung on the trunk at one instant, eqs. (3.8)-(3.10), and taken off at another; neither with a velocity jump.
 struct PayloadConfig {
   double mass_kg = 5.0;
   double at_s = 1.2;                                  ///< on the scenario's clock
+  double removed_at_s = kNever_s;                     ///< the same, later than `at_s`
   std::array<double, 3> position_m{0.20, 0.0, 0.25};  ///< its centre of mass, body frame
   double edge_m = 0.2;                                ///< cube
   PayloadInertia inertia = PayloadInertia::kThesis;
+};
+
+/// Most pushes in one run.
+inline constexpr std::size_t kMaxPushes = 16;
+
+/// A constant force on the trunk for a while. It acts over whole physics steps, at least one; where the duration is no
+/// whole number of them the force is scaled so that the impulse is force times duration exactly.
+struct PushConfig {
+  double at_s = 5.0;                ///< on the scenario's clock
+  double duration_s = 0.1;          ///< above 0
+  std::array<double, 3> force_n{};  ///< world frame: x ahead at the start, y left, z along the floor's normal
+  std::array<double, 3> point_body_m{0.0, 0.0, 0.25};  ///< where it acts, moving with the trunk; default its middle
 };
 
 /// The CAN bus, or the two of them. Bit rates last a whole number of nanoseconds a bit.
@@ -90,6 +113,7 @@ struct SimConfig {
   ContactConfig contact{};
   SensorConfig sensor{};
   std::vector<PayloadConfig> payloads{};
+  std::vector<PushConfig> pushes{};   ///< at most `kMaxPushes`
   std::vector<FaultConfig> faults{};  ///< at most `kMaxFaults`
   BusConfig bus{};
   double control_period_s = 1.0e-3;   ///< world time between two SYNC frames in lockstep

@@ -12,6 +12,7 @@
 #include "sim_hw/nodes/robot_nodes.hpp"
 #include "sim_hw/truth_recorder.hpp"
 #include "sim_hw/wire_clock.hpp"
+#include "sim_hw/world/disturbances.hpp"
 #include "sim_hw/world/world.hpp"
 
 namespace surefoot::sim_hw {
@@ -28,6 +29,14 @@ const SimConfig& checked(const SimConfig& config) {
 
 }  // namespace
 
+/// The way of frames through the scenario's faults; only a robot without one is copied.
+struct OwnLine : std::unique_ptr<BusLine> {
+  using std::unique_ptr<BusLine>::operator=;
+  OwnLine() = default;
+  OwnLine(const OwnLine&) noexcept : unique_ptr() {}
+  OwnLine& operator=(const OwnLine&) = delete;
+};
+
 struct SimulatedRobot::Parts {
   Parts(const SimConfig& wanted, const PerSide<LegVector>& initial_angle_rad, WorldClock wanted_clock)
       : config(checked(wanted)),
@@ -35,12 +44,11 @@ struct SimulatedRobot::Parts {
         steps_per_period(static_cast<int>(std::lround(config.control_period_s / config.physics_step_s))),
         watchdog_steps(std::llround(config.watchdog_s / config.physics_step_s)),
         world(config, initial_angle_rad),
+        disturbances(config),
         recorder(world, -config.time_zero_s),
         nodes(config),
         schedule(config.faults, config.control_period_s) {
     if (!schedule.is_empty()) line = make_line();
-    std::stable_sort(config.payloads.begin(), config.payloads.end(),
-                     [](const PayloadConfig& a, const PayloadConfig& b) { return a.at_s < b.at_s; });
   }
 
   [[nodiscard]] std::unique_ptr<BusLine> make_line() {
@@ -208,7 +216,8 @@ struct SimulatedRobot::Parts {
 
   void advance_step() noexcept {
     if (steps_in_period == 0) update_power();
-    if (master.is_present()) hang_due_payloads();
+    if (master.is_present()) disturbances.begin_due(time_s(), world);
+    disturbances.push(world);
     const PerSide<LegVector> rate_rad_s = world.robot().rates_rad_s();
     PerSide<LegVector> torque_nm{};
     for (const Side side : kSides) {
@@ -223,6 +232,7 @@ struct SimulatedRobot::Parts {
       steps_in_period = 0;
       ++periods;
       truth_tick = tick_of_period++;
+      recorder.mark_pushes(disturbances.pushes_begun(), disturbances.pushes_ended());
       recorder.close_period(world, torque_nm, time_s(), steps_per_period, config.control_period_s);
     }
     if (clock == WorldClock::kFreeRunning && master.is_present() && silent_steps > watchdog_steps) release_master();
@@ -233,29 +243,21 @@ struct SimulatedRobot::Parts {
     return static_cast<double>(step - clock_origin_step) * config.physics_step_s - config.time_zero_s;
   }
 
-  void hang_due_payloads() noexcept {
-    const double half_step_s = 0.5 * config.physics_step_s;
-    while (next_payload < config.payloads.size() && config.payloads[next_payload].at_s < time_s() + half_step_s) {
-      world.hang(config.payloads[next_payload]);
-      ++next_payload;
-    }
-  }
-
   SimConfig config;
   WorldClock clock;
   int steps_per_period;
   std::int64_t watchdog_steps;
   World world;
+  Disturbances disturbances;
   TruthRecorder recorder;
   RobotNodes nodes;
   MasterWatch master;
   FrameOutbox outbox;
   AnswerWatch answers;
   FaultSchedule schedule;
-  std::unique_ptr<BusLine> line;  ///< none without faults
+  OwnLine line;  ///< none without faults
   NodeSet unpowered;
   NodeCounters counters;
-  std::size_t next_payload = 0;
   std::int64_t step = 0;               ///< since the start
   std::int64_t clock_origin_step = 0;  ///< step of the master's first SYNC
   std::int64_t silent_steps = 0;       ///< since the last SYNC
@@ -274,7 +276,21 @@ struct SimulatedRobot::Parts {
 SimulatedRobot::SimulatedRobot(const SimConfig& config, const PerSide<LegVector>& initial_angle_rad, WorldClock clock)
     : parts_(std::make_unique<Parts>(config, initial_angle_rad, clock)) {}
 
+SimulatedRobot::SimulatedRobot(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+
 SimulatedRobot::~SimulatedRobot() = default;
+
+bool SimulatedRobot::can_branch(const SimConfig& config) noexcept {
+  return config.faults.empty() && config.contact.model == ContactModel::kSpringDamper;
+}
+
+std::unique_ptr<SimulatedRobot> SimulatedRobot::branch(const SimConfig& config) const {
+  auto parts = std::make_unique<Parts>(*parts_);
+  parts->config = config;
+  parts->disturbances = Disturbances(config);
+  parts->world.reserve_boxes(config.payloads.size());
+  return std::unique_ptr<SimulatedRobot>(new SimulatedRobot(std::move(parts)));
+}
 
 void SimulatedRobot::serve(can::CanBus& bus) noexcept {
   std::array<can::CanFrame, kBatchFrames> batch;

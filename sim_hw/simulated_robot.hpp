@@ -43,6 +43,15 @@ class SimulatedRobot {
   SimulatedRobot(const SimulatedRobot&) = delete;
   SimulatedRobot& operator=(const SimulatedRobot&) = delete;
 
+  /// Whether a robot of this configuration can be branched: no faults, contact model `kSpringDamper`.
+  [[nodiscard]] static bool can_branch(const SimConfig&) noexcept;
+
+  /// Another robot whose past is this one's and whose payloads and pushes are those of `config`; it goes on as one
+  /// that had `config` from the start would, to the last bit. To be called between two periods.
+  ///
+  /// @param config  that of this robot but for payloads and pushes; in neither has one begun by now
+  [[nodiscard]] std::unique_ptr<SimulatedRobot> branch(const SimConfig& config) const;
+
   /// Serves the bus once: takes the waiting frames, at most until a period has been simulated; answers SYNC with the
   /// latched state of each node; takes torques. Does not allocate (with the contact model `kSpringDamper`).
   ///
@@ -99,6 +108,7 @@ class SimulatedRobot {
 
  private:
   struct Parts;
+  explicit SimulatedRobot(std::unique_ptr<Parts> parts);
   std::unique_ptr<Parts> parts_;
 };
 

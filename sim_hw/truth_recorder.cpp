@@ -20,7 +20,8 @@ TruthRecorder::TruthRecorder(const World& world, double time_s) noexcept
   read_pose(world);
   add_step(world.loads());
   read_forces(world.robot(), 1);
-  torso_.specific_force_body_m_s2 = {0.0, 0.0, kGravityM_S2};  // the robot starts upright and at rest
+  // The robot starts upright on the floor and at rest. A difference from zero, so that no component reads -0.
+  torso_.specific_force_body_m_s2 = geometry::Vector3::Zero() - world.robot().gravity_world_m_s2();
 }
 
 void TruthRecorder::add_step(const PerSide<SoleLoad>& loads) noexcept {
@@ -39,6 +40,9 @@ void TruthRecorder::close_period(const World& world, const PerSide<LegVector>& t
   truth_.torque_nm = torque_nm;
   truth_.payloads_hung = world.payloads_hung();
   truth_.payload_kg = world.payload_kg();
+  truth_.payloads_removed = world.payloads_removed();
+  truth_.removed_kg = world.removed_kg();
+  truth_.push_impulse_world_n_s = to_array(world.push_impulse_n_s());
   truth_.slip_m = world.slip_m();
 
   const RobotModel& robot = world.robot();
@@ -46,8 +50,8 @@ void TruthRecorder::close_period(const World& world, const PerSide<LegVector>& t
 
   const geometry::Vector3 velocity_change =
       robot.body_velocity_world_m_s() - geometry::Vector3(before[0], before[1], before[2]);
-  torso_.specific_force_body_m_s2 = robot.rotation_world_from_body().transpose() *
-                                    (velocity_change / period_s + geometry::Vector3(0.0, 0.0, kGravityM_S2));
+  torso_.specific_force_body_m_s2 =
+      robot.rotation_world_from_body().transpose() * (velocity_change / period_s - robot.gravity_world_m_s2());
 }
 
 void TruthRecorder::read_forces(const RobotModel& robot, int steps) noexcept {

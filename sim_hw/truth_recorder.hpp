@@ -22,6 +22,12 @@ class TruthRecorder {
   /// Which faults are on from now on.
   void mark_faults(std::uint32_t active) noexcept { truth_.faults_active = active; }
 
+  /// Which pushes have begun and ended so far.
+  void mark_pushes(std::uint32_t begun, std::uint32_t ended) noexcept {
+    truth_.pushes_begun = begun;
+    truth_.pushes_ended = ended;
+  }
+
   [[nodiscard]] const GroundTruth& truth() const noexcept { return truth_; }
   /// What an IMU at the body frame's origin felt in the period.
   [[nodiscard]] const TorsoMotion& torso() const noexcept { return torso_; }

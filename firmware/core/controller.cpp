@@ -21,7 +21,9 @@ bool is_moving(const decision::Decision& decision) noexcept {
 Controller::Controller(const ControllerConfig& config) noexcept
     : config_(config),
       standing_(kinematics::inverse(config.geometry, gait::stance(config.walk, {config.walk.reference_x_body_m,
-                                                                                config.walk.reference_x_body_m}))) {}
+                                                                                config.walk.reference_x_body_m}))) {
+  config_.reflex.capture.geometry = config.geometry;
+}
 
 TickOutput Controller::tick(const SensorSnapshot& sensors, safety::Finding reported) noexcept {
   const double period_s = config_.period_s;

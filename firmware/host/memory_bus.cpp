@@ -66,6 +66,11 @@ struct MemoryBus::Ends {
 
 MemoryBus::MemoryBus(BusTap* tap) : ends_(std::make_unique<Ends>(tap)) {}
 
+MemoryBus::MemoryBus(const MemoryBus& other, BusTap* tap) : MemoryBus(tap) {
+  ends_->to_robot = other.ends_->to_robot;
+  ends_->to_controller = other.ends_->to_controller;
+}
+
 MemoryBus::~MemoryBus() = default;
 
 can::CanBus& MemoryBus::controller_end() noexcept { return ends_->controller; }

@@ -25,6 +25,8 @@ class MemoryBus {
   /// @param tap  may be null; outlives the bus
   explicit MemoryBus(BusTap* tap = nullptr);
   ~MemoryBus();
+  /// The same frames on their way, another tap.
+  MemoryBus(const MemoryBus&, BusTap* tap);
   MemoryBus(const MemoryBus&) = delete;
   MemoryBus& operator=(const MemoryBus&) = delete;
 

@@ -81,17 +81,47 @@ std::uint32_t stuff_bits_before_brs(std::uint16_t identifier) noexcept {
   return run.take(sof_to_ide << 3 | fdf_res_brs, kSofToBrs);
 }
 
-std::uint32_t stuff_bits_after_brs(unsigned dlc, std::span<const std::uint8_t> payload, std::size_t padding) noexcept {
-  RunLength run{true, 1};                             // BRS 1 after res 0
-  std::uint32_t stuffed = run.take(dlc, kEsiAndDlc);  // ESI 0, DLC
-  std::size_t row = run.index() * 256;
-  const auto take_byte = [&](std::uint8_t byte) {
+/// The automaton on its way through bytes.
+struct ByteWalk {
+  std::size_t row;
+  std::uint32_t stuffed = 0;
+
+  void take(std::uint8_t byte) noexcept {
     stuffed += kByteSteps.stuffed[row + byte];
     row = kByteSteps.next_row[row + byte];
-  };
-  for (const std::uint8_t byte : payload) take_byte(byte);
-  for (; padding > 0; --padding) take_byte(0);
-  return stuffed;
+  }
+};
+
+/// Walks both halves of the bytes at once, for each step waits for the one before: the second half from the state that
+/// the byte before it nearly always leaves, and once more where it did not.
+void take_bytes(ByteWalk& walk, std::span<const std::uint8_t> bytes) noexcept {
+  const std::size_t half = bytes.size() / 2;
+  if (half == 0) {
+    for (const std::uint8_t byte : bytes) walk.take(byte);
+    return;
+  }
+  const std::size_t guess = kByteSteps.next_row[bytes[half - 1]];
+  ByteWalk ahead{guess};
+  for (std::size_t i = 0; i < half; ++i) {
+    walk.take(bytes[i]);
+    ahead.take(bytes[half + i]);
+  }
+  if (bytes.size() % 2 == 1) ahead.take(bytes.back());
+  if (walk.row == guess) {
+    walk.row = ahead.row;
+    walk.stuffed += ahead.stuffed;
+  } else {
+    for (const std::uint8_t byte : bytes.subspan(half)) walk.take(byte);
+  }
+}
+
+std::uint32_t stuff_bits_after_brs(unsigned dlc, std::span<const std::uint8_t> payload, std::size_t padding) noexcept {
+  RunLength run{true, 1};                                  // BRS 1 after res 0
+  const std::uint32_t before = run.take(dlc, kEsiAndDlc);  // ESI 0, DLC
+  ByteWalk walk{run.index() * 256, before};
+  take_bytes(walk, payload);
+  for (; padding > 0; --padding) walk.take(0);
+  return walk.stuffed;
 }
 
 unsigned dlc_for(std::size_t length) noexcept {

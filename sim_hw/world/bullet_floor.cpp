@@ -40,7 +40,7 @@ struct BulletFloor::BulletWorld {
         plane({0, 0, 1}, 0.0),
         floor(btRigidBody::btRigidBodyConstructionInfo(0.0, nullptr, &plane)) {
     floor.setFriction(friction);
-    world.setGravity({0, 0, -kGravityM_S2});
+    world.setGravity(to_bullet(robot.gravity_world_m_s2()));
     btContactSolverInfo& settings = world.getSolverInfo();
     settings.m_numIterations = kSolverIterations;
     settings.m_erp2 = kErrorReduction;

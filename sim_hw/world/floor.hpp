@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <memory>
+#include <utility>
 
 #include "sim_hw/world/robot_model.hpp"
 
@@ -33,6 +35,24 @@ class Floor {
 
   /// How deep the corners of a robot at rest lie below the floor's surface.
   [[nodiscard]] virtual double resting_depth_m(double total_mass_kg) const noexcept = 0;
+
+  /// The same floor with all that it remembers; none of a floor that is one with its robot.
+  [[nodiscard]] virtual std::unique_ptr<Floor> copy() const { return nullptr; }
+};
+
+/// Owns a floor; a copy owns a copy of it. Not to be copied where `Floor::copy` gives none.
+class OwnFloor {
+ public:
+  explicit OwnFloor(std::unique_ptr<Floor> floor) noexcept : floor_(std::move(floor)) {}
+  OwnFloor(const OwnFloor& other) : floor_(other.floor_->copy()) {}
+  OwnFloor& operator=(const OwnFloor&) = delete;
+  ~OwnFloor() = default;
+
+  [[nodiscard]] Floor* operator->() noexcept { return floor_.get(); }
+  [[nodiscard]] const Floor* operator->() const noexcept { return floor_.get(); }
+
+ private:
+  std::unique_ptr<Floor> floor_;
 };
 
 }  // namespace surefoot::sim_hw

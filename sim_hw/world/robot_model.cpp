@@ -10,7 +10,6 @@ constexpr double kThighSectionM = 0.1;  // length and width of the thigh's box
 constexpr double kCalfLengthM = 0.05;   // of the calf's box, along x
 constexpr double kCalfWidthM = 0.1;     // along y
 constexpr double kFootHeightM = 0.1;
-constexpr double kMaxCoordinateVelocity = 1.0e4;  // Bullet clamps at 100 unless told
 
 /// Links of a leg, from trunk to sole, as Bullet wants them.
 struct LinkShape {
@@ -60,22 +59,17 @@ BodyMotion motion_in_world(const btMultiBody& body, const LinkState& state, cons
 
 }  // namespace
 
-RobotModel::RobotModel(const geometry::RobotGeometry& geometry, const MassConfig& mass, const DriveConfig& drive)
+RobotModel::RobotModel(const geometry::RobotGeometry& geometry, const MassConfig& mass, const DriveConfig& drive,
+                       const geometry::Vector3& gravity_world_m_s2)
     : trunk_(unloaded_trunk(mass)),
+      gravity_world_m_s2_(gravity_world_m_s2),
       foot_frame_from_com_m_(-mass.foot_com_x_foot_m, 0.0, -0.5 * kFootHeightM),
-      body_(kLinks, trunk_.mass_kg, to_bullet(trunk_.inertia_kg_m2), /*fixedBase=*/false, /*canSleep=*/false) {
+      body_(kLinks, trunk_.mass_kg, to_bullet(trunk_.inertia_kg_m2)) {
   friction_nm_s_per_rad_.fill(drive.hip_knee_friction_nm_s_per_rad);
   friction_nm_s_per_rad_[index(LegJoint::kAnklePitch)] = drive.ankle_friction_nm_s_per_rad;
   friction_nm_s_per_rad_[index(LegJoint::kAnkleRoll)] = drive.ankle_friction_nm_s_per_rad;
   for (const Side side : kSides) build_leg(side, geometry, mass, drive.rotor_inertia_kg_m2);
-  body_.finalizeMultiDof();
-  body_.setLinearDamping(0.0);
-  body_.setAngularDamping(0.0);
-  body_.setUseGyroTerm(true);
-  body_.setHasSelfCollision(false);
-  body_.setMaxCoordinateVelocity(kMaxCoordinateVelocity);
-  body_.useRK4Integration(false);
-  body_.useGlobalVelocities(false);
+  body_.finish();
   place_body(geometry::Vector3::Zero(), geometry::Matrix3::Identity(), geometry::Vector3::Zero(),
              geometry::Vector3::Zero());
   set_joints({}, {});
@@ -224,6 +218,12 @@ void RobotModel::push_foot(Side side, const BodyMotion& foot, const btVector3& f
   body_.addLinkTorque(foot_link, torque_nm + lever.cross(force_n));
 }
 
+void RobotModel::push_trunk(const geometry::Vector3& force_world_n, const geometry::Vector3& point_body_m) noexcept {
+  const geometry::Vector3 lever = rotation_world_from_body() * (point_body_m - trunk_.com_body_m);
+  body_.addBaseForce(to_bullet(force_world_n));  // at the centre of mass, world axes
+  body_.addBaseTorque(to_bullet(lever.cross(force_world_n)));
+}
+
 void RobotModel::drive_joints(const PerSide<LegVector>& motor_torque_nm) noexcept {
   for (int i = 0; i < kLinks; ++i) {
     const std::size_t side = static_cast<std::size_t>(i) / kJointsPerLeg;
@@ -236,7 +236,7 @@ void RobotModel::integrate(double step_s) noexcept {
   body_.computeAccelerationsArticulatedBodyAlgorithmMultiDof(step_s, scratch_scalar_, scratch_vector_, scratch_matrix_,
                                                              false, false, false);
   // Uniform gravity on every body accelerates the tree as a whole and no joint: exactly this.
-  body_.setBaseVel(body_.getBaseVel() + btVector3(0, 0, -kGravityM_S2 * step_s));
+  body_.setBaseVel(body_.getBaseVel() + to_bullet(gravity_world_m_s2_) * step_s);
   body_.stepPositionsMultiDof(step_s);
   body_.clearForcesAndTorques();
 }

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <BulletDynamics/Featherstone/btMultiBody.h>
-
 #include <array>
 #include <cstddef>
 
 #include "sim_hw/plant_config.hpp"
 #include "sim_hw/world/bullet_math.hpp"
+#include "sim_hw/world/tree_body.hpp"
 #include "sim_hw/world/trunk_mass.hpp"
 
 namespace surefoot::sim_hw {
@@ -34,7 +33,9 @@ class RobotModel {
  public:
   static constexpr int kLinks = 12;
 
-  RobotModel(const geometry::RobotGeometry&, const MassConfig&, const DriveConfig&);
+  /// @param gravity_world_m_s2  the same everywhere and always
+  RobotModel(const geometry::RobotGeometry&, const MassConfig&, const DriveConfig&,
+             const geometry::Vector3& gravity_world_m_s2 = {0.0, 0.0, -kGravityM_S2});
 
   [[nodiscard]] static constexpr int link(Side side, LegJoint joint) noexcept {
     return static_cast<int>(index(side) * kJointsPerLeg + index(joint));
@@ -63,11 +64,14 @@ class RobotModel {
   void set_trunk(const TrunkMass&) noexcept;
 
   [[nodiscard]] double total_mass_kg() const noexcept;
+  [[nodiscard]] const geometry::Vector3& gravity_world_m_s2() const noexcept { return gravity_world_m_s2_; }
 
   // One step, in this order: forces, torques, integrate.
   /// Adds a force at the origin of the foot frame and a torque, world frame.
   /// @param foot  what `foot_motion` says in this step
   void push_foot(Side, const BodyMotion& foot, const btVector3& force_n, const btVector3& torque_nm) noexcept;
+  /// Adds a force on the trunk, world frame, at a point of the body frame.
+  void push_trunk(const geometry::Vector3& force_world_n, const geometry::Vector3& point_body_m) noexcept;
   /// Adds motor torques less viscous friction.
   void drive_joints(const PerSide<LegVector>& motor_torque_nm) noexcept;
   /// Takes one step of the floating tree under gravity (semi-implicit Euler) and clears the forces.
@@ -81,9 +85,10 @@ class RobotModel {
   void build_leg(Side, const geometry::RobotGeometry&, const MassConfig&, double rotor_inertia_kg_m2);
 
   TrunkMass trunk_;
+  geometry::Vector3 gravity_world_m_s2_;
   LegVector friction_nm_s_per_rad_;
   btVector3 foot_frame_from_com_m_;
-  btMultiBody body_;
+  TreeBody body_;
   btAlignedObjectArray<btScalar> scratch_scalar_;
   btAlignedObjectArray<btVector3> scratch_vector_;
   btAlignedObjectArray<btMatrix3x3> scratch_matrix_;

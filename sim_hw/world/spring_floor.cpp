@@ -1,9 +1,12 @@
 #include "sim_hw/world/spring_floor.hpp"
 
+#include "sim_hw/world/slope.hpp"
+
 namespace surefoot::sim_hw {
 
 SpringFloor::SpringFloor(const geometry::RobotGeometry& geometry, const ContactConfig& config) noexcept
-    : normal_stiffness_n_per_m_(config.normal_stiffness_n_per_m),
+    : normal_gravity_m_s2_(-gravity_floor_m_s2(config).z()),
+      normal_stiffness_n_per_m_(config.normal_stiffness_n_per_m),
       contact_{CornerContact(geometry, config), CornerContact(geometry, config)} {}
 
 void SpringFloor::step(RobotModel& robot, const PerSide<LegVector>& motor_torque_nm, double step_s) noexcept {
@@ -22,7 +25,7 @@ void SpringFloor::touch(const RobotModel& robot) noexcept {
 }
 
 double SpringFloor::resting_depth_m(double total_mass_kg) const noexcept {
-  return total_mass_kg * kGravityM_S2 / (2.0 * geometry::kCornersPerFoot * normal_stiffness_n_per_m_);
+  return total_mass_kg * normal_gravity_m_s2_ / (2.0 * geometry::kCornersPerFoot * normal_stiffness_n_per_m_);
 }
 
 }  // namespace surefoot::sim_hw

@@ -15,8 +15,10 @@ class SpringFloor final : public Floor {
   void touch(const RobotModel&) noexcept override;
   [[nodiscard]] const PerSide<SoleLoad>& loads() const noexcept override { return load_; }
   [[nodiscard]] double resting_depth_m(double total_mass_kg) const noexcept override;
+  [[nodiscard]] std::unique_ptr<Floor> copy() const override { return std::make_unique<SpringFloor>(*this); }
 
  private:
+  double normal_gravity_m_s2_;
   double normal_stiffness_n_per_m_;
   PerSide<CornerContact> contact_;
   PerSide<SoleLoad> load_{};

@@ -22,7 +22,8 @@ struct TrunkMass {
 /// Mass and centre of mass: El-Kahlout 2003, eqs. (3.9), (3.10), for a box at any place.
 /// Inertia: `kThesis` scales with the mass, eq. (3.8); `kExact` puts trunk and box about their
 /// common centre of mass. Products of inertia are dropped (Bullet's base carries a diagonal only);
-/// the diagonal alone still belongs to a possible body.
+/// the diagonal alone still belongs to a possible body. A box at the side so turns the trunk no other way than its
+/// centre of mass does.
 [[nodiscard]] TrunkMass hang_payload(const TrunkMass&, const PayloadConfig&) noexcept;
 
 }  // namespace surefoot::sim_hw

@@ -51,6 +51,9 @@ void expect_equal(const run::Verdict& beside, const run::Verdict& from_log) {
   EXPECT_EQ(from_log.foot_slip_mm, beside.foot_slip_mm);
   EXPECT_EQ(from_log.payloads_attached, beside.payloads_attached);
   EXPECT_EQ(from_log.payloads_detected, beside.payloads_detected);
+  EXPECT_EQ(from_log.payloads_removed, beside.payloads_removed);
+  EXPECT_EQ(from_log.pushes, beside.pushes);
+  EXPECT_EQ(from_log.disturbance_triggers, beside.disturbance_triggers);
   EXPECT_EQ(from_log.false_alarms, beside.false_alarms);
   ASSERT_EQ(from_log.events.size(), beside.events.size());
   for (std::size_t i = 0; i < beside.events.size(); ++i) {
@@ -74,6 +77,15 @@ TEST(LogJudge, JudgesAFallAsTheLoopDoes) {
 TEST(LogJudge, JudgesAFaultAsTheLoopDoes) {
   const Recorded run = record("main", {"fault.0.kind=dead_node", "fault.0.target=foot_left", "fault.0.at_s=0.5"});
   EXPECT_EQ(run.beside_the_loop.outcome, run::Outcome::kFault);
+  expect_equal(run.beside_the_loop, run.from_the_log);
+}
+
+TEST(LogJudge, JudgesPushesAndALoadThatComesAndGoesAsTheLoopDoes) {
+  const Recorded run =
+      record("push", {"payload.0.mass_kg=2", "payload.0.at_s=7", "payload.0.removed_at_s=9", "duration_s=18.7"});
+  EXPECT_EQ(run.beside_the_loop.outcome, run::Outcome::kWalked) << run.beside_the_loop.reason;
+  EXPECT_EQ(run.beside_the_loop.payloads_removed, 1);
+  EXPECT_EQ(run.beside_the_loop.pushes, 1);
   expect_equal(run.beside_the_loop, run.from_the_log);
 }
 

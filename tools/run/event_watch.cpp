@@ -9,6 +9,9 @@ namespace {
 
 constexpr const char* kPayloadSeen = "payload_seen";
 constexpr const char* kPayloadAttached = "payload_attached";
+constexpr const char* kPayloadRemoved = "payload_removed";
+constexpr const char* kPushBegins = "push_begins";
+constexpr const char* kPushEnds = "push_ends";
 constexpr const char* kFell = "fell";
 constexpr const char* kFaultInjected = "fault_injected";
 constexpr const char* kFaultEnded = "fault_ended";
@@ -25,6 +28,12 @@ const char* event_name(std::int8_t code, double value) noexcept {
       return kPayloadSeen;
     case event_t::PAYLOAD_ATTACHED:
       return kPayloadAttached;
+    case event_t::PAYLOAD_REMOVED:
+      return kPayloadRemoved;
+    case event_t::PUSH_BEGINS:
+      return kPushBegins;
+    case event_t::PUSH_ENDS:
+      return kPushEnds;
     case event_t::FELL:
       return kFell;
     case event_t::FAULT_INJECTED:
@@ -61,13 +70,34 @@ std::span<const RunEvent> EventWatch::observe_firmware(const TickOutput& output)
 
 void EventWatch::watch(const sim_hw::GroundTruth& truth) noexcept {
   watch_faults(truth.faults_active);
+  watch_payloads(truth);
+  watch_pushes(truth);
+  if (truth.has_fallen && !has_fallen_) add(event_t::FELL, kFell, truth.pitch_rad);
+  has_fallen_ = truth.has_fallen;
+}
+
+void EventWatch::watch_payloads(const sim_hw::GroundTruth& truth) noexcept {
   if (truth.payloads_hung != payloads_hung_) {
     add(event_t::PAYLOAD_ATTACHED, kPayloadAttached, truth.payload_kg - payload_kg_);
   }
-  if (truth.has_fallen && !has_fallen_) add(event_t::FELL, kFell, truth.pitch_rad);
+  if (truth.payloads_removed != payloads_removed_) {
+    add(event_t::PAYLOAD_REMOVED, kPayloadRemoved, truth.removed_kg - removed_kg_);
+  }
   payloads_hung_ = truth.payloads_hung;
   payload_kg_ = truth.payload_kg;
-  has_fallen_ = truth.has_fallen;
+  payloads_removed_ = truth.payloads_removed;
+  removed_kg_ = truth.removed_kg;
+}
+
+void EventWatch::watch_pushes(const sim_hw::GroundTruth& truth) noexcept {
+  for (std::uint32_t begun = truth.pushes_begun & ~pushes_begun_; begun != 0; begun &= begun - 1) {
+    add(event_t::PUSH_BEGINS, kPushBegins, std::countr_zero(begun));
+  }
+  for (std::uint32_t ended = truth.pushes_ended & ~pushes_ended_; ended != 0; ended &= ended - 1) {
+    add(event_t::PUSH_ENDS, kPushEnds, std::countr_zero(ended));
+  }
+  pushes_begun_ = truth.pushes_begun;
+  pushes_ended_ = truth.pushes_ended;
 }
 
 void EventWatch::watch_faults(std::uint32_t active) noexcept {

@@ -8,6 +8,7 @@
 #include "firmware/core/controller.hpp"
 #include "sim_hw/faults/fault_config.hpp"
 #include "sim_hw/ground_truth.hpp"
+#include "sim_hw/plant_config.hpp"
 
 namespace surefoot::run {
 
@@ -39,12 +40,19 @@ class EventWatch {
   void watch(const sim_hw::GroundTruth& truth) noexcept;
   void watch(const TickOutput& output) noexcept;
   void watch_faults(std::uint32_t active) noexcept;
+  void watch_payloads(const sim_hw::GroundTruth& truth) noexcept;
+  void watch_pushes(const sim_hw::GroundTruth& truth) noexcept;
   void add(std::int8_t code, const char* name, double value) noexcept { events_[count_++] = {code, name, value}; }
 
-  std::array<RunEvent, 6 + sim_hw::kMaxFaults> events_{};  ///< at most one of each kind, or of each fault, in a tick
+  /// At most one of each kind in a tick, or of each fault, begin and end of each push.
+  std::array<RunEvent, 7 + sim_hw::kMaxFaults + 2 * sim_hw::kMaxPushes> events_{};
   std::size_t count_ = 0;
   int payloads_hung_ = 0;
   double payload_kg_ = 0.0;
+  int payloads_removed_ = 0;
+  double removed_kg_ = 0.0;
+  std::uint32_t pushes_begun_ = 0;
+  std::uint32_t pushes_ended_ = 0;
   bool has_fallen_ = false;
   std::uint32_t faults_active_ = 0;
   bool is_reachable_ = true;

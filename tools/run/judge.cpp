@@ -25,8 +25,23 @@ Judge::Judge(const scenario::Scenario& scenario)
       period_s_(scenario.firmware.period_s),
       standing_s_(scenario.firmware.reflex.standing_s),
       time_zero_s_(scenario.sim.time_zero_s),
-      payload_count_(scenario.sim.payloads.size()) {
+      payload_count_(scenario.sim.payloads.size()),
+      removal_count_(static_cast<std::size_t>(std::ranges::count_if(
+          scenario.sim.payloads, [](const auto& payload) { return payload.removed_at_s < sim_hw::kNever_s; }))),
+      push_count_(scenario.sim.pushes.size()),
+      has_faults_(!scenario.sim.faults.empty()),
+      aftermath_s_(0.5 * walk_.cycle_s()),
+      disturbed_until_s_(-sim_hw::kNever_s) {
   partial_.ended_at_s = -time_zero_s_;
+  partial_.events.reserve(kMaxEvents);
+}
+
+void Judge::go_on_with(const scenario::Scenario& scenario) {
+  const Judge asked(scenario);
+  limits_ = asked.limits_;
+  payload_count_ = asked.payload_count_;
+  removal_count_ = asked.removal_count_;
+  push_count_ = asked.push_count_;
   partial_.events.reserve(kMaxEvents);
 }
 
@@ -54,23 +69,57 @@ void Judge::observe(const TickOutput& output, const sim_hw::GroundTruth& truth,
   partial_.threshold_n = output.decision.threshold_n;
   if (!output.joint_reference.is_reachable) ++partial_.unreachable_ticks;
 
+  count_payloads(truth);
+  if (pushes_acting_ > 0) disturbed_until_s_ = time_s;
+  for (const RunEvent& event : events) take(event, time_s);
   observe_gait(output, time_s);
+  if (is_scored && phase_ == decision::ReflexPhase::kWalking && truth.payloads_hung == 0) {
+    partial_.unloaded_margin_n.include(output.decision.threshold_n - output.estimate.filtered_force_n);
+  }
 
   has_fallen_ = truth.has_fallen;
   fault_ = output.fault;
+}
+
+void Judge::count_payloads(const sim_hw::GroundTruth& truth) noexcept {
+  unnoticed_payloads_ += truth.payloads_hung - partial_.payloads_attached;
+  unnoticed_payloads_ = std::min(unnoticed_payloads_, truth.payloads_hung - truth.payloads_removed);
   partial_.payloads_attached = truth.payloads_hung;
-  for (const RunEvent& event : events) {
-    if (partial_.events.size() < kMaxEvents) partial_.events.push_back({event.name, time_s});
-    count_detections(event);
+  partial_.payloads_removed = truth.payloads_removed;
+}
+
+void Judge::take(const RunEvent& event, double time_s) noexcept {
+  if (partial_.events.size() < kMaxEvents) partial_.events.push_back({event.name, time_s});
+  switch (event.code) {
+    case event_t::PAYLOAD_REMOVED:
+      disturbed_until_s_ = time_s;
+      break;
+    case event_t::PUSH_BEGINS:
+      ++pushes_acting_;
+      disturbed_until_s_ = time_s;
+      break;
+    case event_t::PUSH_ENDS:
+      --pushes_acting_;
+      ++partial_.pushes;
+      disturbed_until_s_ = time_s;
+      break;
+    case event_t::PAYLOAD_DETECTED:
+    case event_t::PAYLOAD_SEEN:
+      count_detection(event.code == event_t::PAYLOAD_DETECTED, time_s);
+      break;
+    default:
+      break;
   }
 }
 
-void Judge::count_detections(const RunEvent& event) noexcept {
-  const bool is_answered = event.code == event_t::PAYLOAD_DETECTED;
-  if (!is_answered && event.code != event_t::PAYLOAD_SEEN) return;
-  if (partial_.payloads_detected < partial_.payloads_attached) {
+void Judge::count_detection(bool is_answered, double time_s) noexcept {
+  const bool was_disturbed = partial_.payloads_attached > 0 || disturbed_until_s_ > -sim_hw::kNever_s;
+  if (unnoticed_payloads_ > 0) {
+    --unnoticed_payloads_;
     ++partial_.payloads_detected;
-  } else if (is_answered || partial_.payloads_attached == 0) {
+  } else if (time_s <= disturbed_until_s_ + aftermath_s_) {
+    ++partial_.disturbance_triggers;
+  } else if (is_answered || !was_disturbed) {
     ++partial_.false_alarms;  // with the reflex off the load's own ripple crosses the threshold again and again
   }
 }
@@ -105,10 +154,21 @@ void Judge::observe_gait(const TickOutput& output, double time_s) noexcept {
     is_single_support_ = false;
     return;
   }
-  partial_.cycles_after_recovery = std::max(0.0, time_s + period_s_ - walking_since_s_) / walk_.cycle_s();
+  const double since_s = std::max(walking_since_s_, pushes_acting_ > 0 ? time_s + period_s_ : disturbed_until_s_);
+  partial_.cycles_after_recovery = std::max(0.0, time_s + period_s_ - since_s) / walk_.cycle_s();
   const bool is_single = !gait::is_double_support(walk_, decision.walk_phase_s);
   if (is_single_support_ && !is_single && time_s >= 0.0) ++partial_.steps_walked;
   is_single_support_ = is_single;
+}
+
+bool Judge::has_recovered() const noexcept {
+  if (has_faults_ || payload_count_ + push_count_ == 0) return false;
+  if (method_ == decision::ReflexMethod::kOff && payload_count_ > 0) return false;  // its load never is answered
+  const auto has_seen_all = [](int count, std::size_t all) { return static_cast<std::size_t>(count) >= all; };
+  return has_seen_all(partial_.payloads_detected, payload_count_) &&
+         has_seen_all(partial_.payloads_removed, removal_count_) && has_seen_all(partial_.pushes, push_count_) &&
+         phase_ == decision::ReflexPhase::kWalking &&
+         partial_.cycles_after_recovery >= limits_.min_cycles_after_recovery;
 }
 
 void Judge::decide_outcome(Verdict& verdict, bool was_interrupted) const {
@@ -118,7 +178,9 @@ void Judge::decide_outcome(Verdict& verdict, bool was_interrupted) const {
   };
   const double largest_pitch_deg = verdict.torso_pitch_deg.largest_magnitude();
   const double largest_roll_deg = verdict.torso_roll_deg.largest_magnitude();
-  const bool needs_recovery = method_ != decision::ReflexMethod::kOff && verdict.payloads_detected > 0;
+  const bool is_answered =
+      method_ != decision::ReflexMethod::kOff && (verdict.payloads_detected > 0 || verdict.disturbance_triggers > 0);
+  const bool needs_recovery = is_answered || removal_count_ > 0 || push_count_ > 0;
   const auto payload_count = static_cast<int>(payload_count_);
   if (has_fallen_) {
     decide(Outcome::kFell, fmt::format("the robot fell at {:.3f} s", verdict.ended_at_s));
@@ -136,14 +198,21 @@ void Judge::decide_outcome(Verdict& verdict, bool was_interrupted) const {
   } else if (verdict.payloads_attached < payload_count) {
     decide(Outcome::kLimit, fmt::format("only {} of {} payloads were hung on before the end; raise duration_s",
                                         verdict.payloads_attached, payload_count));
+  } else if (static_cast<std::size_t>(verdict.payloads_removed) < removal_count_) {
+    decide(Outcome::kLimit, fmt::format("only {} of {} payloads were taken off before the end; raise duration_s",
+                                        verdict.payloads_removed, removal_count_));
+  } else if (static_cast<std::size_t>(verdict.pushes) < push_count_) {
+    decide(Outcome::kLimit,
+           fmt::format("only {} of {} pushes were over before the end; raise duration_s", verdict.pushes, push_count_));
   } else if (verdict.false_alarms > 0) {
     decide(Outcome::kLimit,
            fmt::format("the payload detector fired {} time(s) without a payload", verdict.false_alarms));
   } else if (needs_recovery && verdict.cycles_after_recovery < limits_.min_cycles_after_recovery) {
     decide(Outcome::kLimit,
-           fmt::format("{:.4f} cycles walked after recovery, limits.min_cycles_after_recovery is {}; a longer "
+           fmt::format("{:.4f} cycles walked after {}, limits.min_cycles_after_recovery is {}; a longer "
                        "duration_s may be all it needs",
-                       verdict.cycles_after_recovery, limits_.min_cycles_after_recovery));
+                       verdict.cycles_after_recovery, is_answered ? "recovery" : "the last removal or push",
+                       limits_.min_cycles_after_recovery));
   } else {
     decide(Outcome::kWalked, fmt::format("walks until the end at {:.3f} s{}", verdict.ended_at_s + period_s_,
                                          payload_count == 0 ? ""

@@ -17,19 +17,29 @@ class Judge {
  public:
   explicit Judge(const scenario::Scenario& scenario);
 
+  /// From now on judges the run of this scenario, which has gone like the one so far: its limits, payloads and pushes
+  /// may differ. Also gives a copy of a judge back the room for events that it needs to not allocate.
+  void go_on_with(const scenario::Scenario& scenario);
+
   /// @param events  of this tick, as `EventWatch` gives them
   void observe(const TickOutput& output, const sim_hw::GroundTruth& truth, std::span<const RunEvent> events) noexcept;
 
-  /// True when nothing more can be learned: the robot lies on the floor or the firmware gave up.
-  [[nodiscard]] bool is_over() const noexcept { return has_fallen_ || fault_ != safety::Fault::kNone; }
+  /// True when nothing more can be learned: the robot lies on the floor, the firmware gave up, or the robot has
+  /// recovered from all there is and the scenario says that this is enough.
+  [[nodiscard]] bool is_over() const noexcept {
+    return has_fallen_ || fault_ != safety::Fault::kNone || (limits_.ends_when_recovered && has_recovered());
+  }
 
   /// @param was_interrupted  stopped from outside before the scenario's end
   [[nodiscard]] Verdict verdict(bool was_interrupted) const;
 
  private:
-  void count_detections(const RunEvent& event) noexcept;
+  void count_payloads(const sim_hw::GroundTruth& truth) noexcept;
+  void take(const RunEvent& event, double time_s) noexcept;
+  void count_detection(bool is_answered, double time_s) noexcept;
   void observe_torques(const sim_hw::GroundTruth& truth) noexcept;
   void observe_gait(const TickOutput& output, double time_s) noexcept;
+  [[nodiscard]] bool has_recovered() const noexcept;
   void decide_outcome(Verdict& verdict, bool was_interrupted) const;
 
   static constexpr std::size_t kMaxEvents = 512;
@@ -42,6 +52,9 @@ class Judge {
   double standing_s_;
   double time_zero_s_;
   std::size_t payload_count_;
+  std::size_t removal_count_;
+  std::size_t push_count_;
+  bool has_faults_;
 
   Verdict partial_{};
   PerSide<LegVector> last_torque_nm_{};
@@ -56,6 +69,10 @@ class Judge {
   std::uint64_t standing_zmp_ticks_ = 0;
   double start_x_m_ = 0.0;
   double walking_since_s_ = 0.0;
+  double aftermath_s_;        ///< one step: what a push did to the robot shows when the swing foot lands
+  double disturbed_until_s_;  ///< end of the last push or instant of the last removal; a push that acts: now
+  int pushes_acting_ = 0;
+  int unnoticed_payloads_ = 0;  ///< that hang
   decision::ReflexPhase phase_ = decision::ReflexPhase::kStanding;
   bool is_single_support_ = false;
   bool has_fallen_ = false;

@@ -74,6 +74,9 @@ simulator_truth_t truth_message(std::int64_t utime_us, std::uint32_t tick, const
   message.zmp_x_body_m = truth.zmp_x_body_m;
   message.payloads_hung = truth.payloads_hung;
   message.payload_kg = truth.payload_kg;
+  message.payloads_removed = truth.payloads_removed;
+  message.removed_kg = truth.removed_kg;
+  copy(truth.push_impulse_world_n_s, message.push_impulse_world_n_s);
   message.slip_m = truth.slip_m;
   message.has_fallen = truth.has_fallen ? 1 : 0;
   return message;
@@ -141,6 +144,7 @@ TickOutput output_of(const controller_state_t& message) noexcept {
   output.decision.phase = static_cast<decision::ReflexPhase>(message.phase);
   output.decision.walk_phase_s = message.walk_phase_s;
   output.decision.threshold_n = message.threshold_n;
+  output.estimate.filtered_force_n = message.filtered_force_n;
   output.joint_reference.is_reachable = message.is_reachable != 0;
   output.fault = static_cast<safety::Fault>(message.fault);
   return output;
@@ -161,6 +165,11 @@ sim_hw::GroundTruth truth_of(const simulator_truth_t& message) noexcept {
   truth.zmp_x_body_m = message.zmp_x_body_m;
   truth.payloads_hung = message.payloads_hung;
   truth.payload_kg = message.payload_kg;
+  truth.payloads_removed = message.payloads_removed;
+  truth.removed_kg = message.removed_kg;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    truth.push_impulse_world_n_s[axis] = message.push_impulse_world_n_s[axis];
+  }
   truth.slip_m = message.slip_m;
   truth.has_fallen = message.has_fallen != 0;
   return truth;

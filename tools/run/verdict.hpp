@@ -72,12 +72,17 @@ struct Verdict {
   Range start_up_pitch_deg;  ///< before time zero
   Range start_up_roll_deg;
   double distance_m = 0.0;
-  int steps_walked = 0;                ///< touch-downs of the gait since time zero
-  double cycles_after_recovery = 0.0;  ///< gait cycles since the last resume, or since time zero
+  int steps_walked = 0;  ///< touch-downs of the gait since time zero
+  /// Gait cycles since the last resume, since the last removal or push was over, or since time zero.
+  double cycles_after_recovery = 0.0;
   std::vector<TimedEvent> events;
   int payloads_attached = 0;
   int payloads_detected = 0;  ///< at most as many as were attached
-  int false_alarms = 0;       ///< detections beyond the payloads that were hung on
+  int payloads_removed = 0;
+  int pushes = 0;  ///< that were over before the end
+  int disturbance_triggers =
+      0;                 ///< detections with no new payload, but in a push, or in the step after one or a removal
+  int false_alarms = 0;  ///< all other detections beyond the payloads that hang
 
   std::array<double, kJointsPerLeg> peak_torque_nm{};  ///< larger of both legs
   double torque_ripple_nm = 0.0;                       ///< root mean square of the change from tick to tick, all joints
@@ -85,6 +90,7 @@ struct Verdict {
   double foot_slip_mm = 0.0;                           ///< way the soles slid, weighted with their load, per step
   double standing_zmp_x_body_m = 0.0;  ///< true ZMP, mean over the last half second of the initial standing
   double threshold_n = 0.0;            ///< payload threshold at the end
+  Range unloaded_margin_n;             ///< payload threshold above the filtered force, walking before the first load
   int unreachable_ticks = 0;
 
   std::string bus_log_sha256;

@@ -230,6 +230,19 @@ void check_elements(const std::string& array_name, std::vector<Element>& element
   }
 }
 
+void check_removals(const Scenario& scenario, std::vector<Finding>& findings) {
+  for (std::size_t place = 0; place < scenario.sim.payloads.size(); ++place) {
+    const sim_hw::PayloadConfig& payload = scenario.sim.payloads[place];
+    if (payload.removed_at_s > payload.at_s) continue;
+    const std::string key = element_key("payload", place, "removed_at_s");
+    const std::string hung_key = element_key("payload", place, "at_s");
+    findings.push_back(
+        {{key, hung_key},
+         fmt::format("{} is {}; expected later than {} = {} s", key, payload.removed_at_s, hung_key, payload.at_s),
+         "take the load off after it was hung on, or remove the key: then it hangs on"});
+  }
+}
+
 /// Kinds of fault that their target, signal or value cannot have.
 void check_faults(const Scenario& scenario, std::vector<Finding>& findings) {
   for (std::size_t place = 0; place < scenario.sim.faults.size(); ++place) {
@@ -260,6 +273,7 @@ std::vector<Finding> check_ranges(const Scenario& scenario) {
     check_field(table[i], table[i].key, value_text(default_table[i]), findings);
   }
   check_elements("payload", checked.sim.payloads, kMaxPayloads, findings);
+  check_elements("push", checked.sim.pushes, sim_hw::kMaxPushes, findings);
   check_elements("fault", checked.sim.faults, sim_hw::kMaxFaults, findings);
   return findings;
 }
@@ -276,6 +290,7 @@ std::vector<Finding> check_relations(const Scenario& scenario) {
   check_watchdog(scenario, findings);
   check_latency(scenario, findings);
   check_bus(scenario, findings);
+  check_removals(scenario, findings);
   check_faults(scenario, findings);
   check_shared_numbers(scenario, findings);
   if (findings.empty()) check_simulator(scenario, findings);

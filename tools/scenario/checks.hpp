@@ -28,7 +28,8 @@ struct Finding {
 /// Values out of their key's range.
 [[nodiscard]] std::vector<Finding> check_ranges(const Scenario& scenario);
 
-/// Values that contradict each other: physics step, reach of the legs, joint ranges, detector, watchdog, bus.
+/// Values that contradict each other: physics step, reach of the legs, joint ranges, detector, watchdog, bus, loads
+/// taken off before they hang.
 [[nodiscard]] std::vector<Finding> check_relations(const Scenario& scenario);
 
 }  // namespace surefoot::scenario

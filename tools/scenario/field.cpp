@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 namespace surefoot::scenario {
 namespace {
@@ -26,6 +27,7 @@ std::string range_text(const Field& field) {
   const char* form = field.range.is_open_below ? "more than {}, up to {}" : "{} to {}";
   std::string text = fmt::format(fmt::runtime(form), field.range.min, field.range.max);
   if (!field.unit.empty() && field.unit != "1") text += " " + field.unit;
+  if (field.range.may_be_never) text += ", or inf for never";
   return text;
 }
 
@@ -78,6 +80,7 @@ std::string value_text(const Field& field) {
 }
 
 bool is_in_range(const Field& field, double value) noexcept {
+  if (field.range.may_be_never && value == std::numeric_limits<double>::infinity()) return true;
   const bool above_min = field.range.is_open_below ? value > field.range.min : value >= field.range.min;
   return std::isfinite(value) && above_min && value <= field.range.max;
 }

@@ -29,6 +29,7 @@ struct Range {
   double min = 0.0;
   double max = 0.0;
   bool is_open_below = false;  ///< `min` itself is not allowed
+  bool may_be_never = false;   ///< inf is allowed too: an instant that never comes
 };
 
 /// One key of the scenario: the only place where its name, limits and meaning stand. Parsing,
@@ -57,7 +58,7 @@ struct Field {
 /// A double as TOML: always a float, never an integer.
 [[nodiscard]] std::string toml_number(double value);
 
-/// Whether a number may stand in this field: finite and in range.
+/// Whether a number may stand in this field: finite and in range, or the inf that its range allows.
 [[nodiscard]] bool is_in_range(const Field& field, double value) noexcept;
 
 }  // namespace surefoot::scenario

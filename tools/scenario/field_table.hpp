@@ -10,12 +10,15 @@
 
 namespace surefoot::scenario {
 
-/// Every key of a scenario but those of the [[payload]] and [[fault]] tables, in the order of the effective
+/// Every key of a scenario but those of the [[payload]], [[push]] and [[fault]] tables, in the order of the effective
 /// scenario: keys of one table stand together, top-level keys first.
 [[nodiscard]] std::vector<Field> fields(Scenario& scenario);
 
 /// Every key of one [[payload]] table.
 [[nodiscard]] std::vector<Field> fields(sim_hw::PayloadConfig& payload);
+
+/// Every key of one [[push]] table.
+[[nodiscard]] std::vector<Field> fields(sim_hw::PushConfig& push);
 
 /// Every key of one [[fault]] table.
 [[nodiscard]] std::vector<Field> fields(sim_hw::FaultConfig& fault);
@@ -23,7 +26,7 @@ namespace surefoot::scenario {
 /// The key of a field in an array of tables as messages show it: "payload[0].mass_kg".
 [[nodiscard]] std::string element_key(std::string_view array, std::size_t place, std::string_view key);
 
-/// Whether a top-level key is an array of tables: "payload" or "fault".
+/// Whether a top-level key is an array of tables: "payload", "push" or "fault".
 [[nodiscard]] bool is_array_of_tables(std::string_view key);
 
 /// The scenario that a file starts from: the structs' defaults with the plant's numbers in them.

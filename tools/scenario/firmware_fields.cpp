@@ -4,7 +4,7 @@
 namespace surefoot::scenario {
 namespace {
 
-constexpr std::array kReflexMethods{"off", "original", "modified"};
+constexpr std::array kReflexMethods{"off", "original", "modified", "capture"};
 constexpr std::array kReflexProfiles{"ramp", "quintic"};
 constexpr std::array kRestorationTimings{"acos_factor", "nominal_cosine"};
 
@@ -49,6 +49,49 @@ void append_estimation(std::vector<Field>& table, estimation::EstimatorConfig& e
                                    "vertical force below which the ZMP keeps its value"}});
 }
 
+void append_capture(std::vector<Field>& table, decision::CaptureConfig& capture) {
+  table.insert(table.end(), {Field{"reflex.capture_com_height_m",
+                                   &capture.com_height_m,
+                                   {0.05, 3.0},
+                                   "m",
+                                   "height of the centre of mass, for the linear inverted pendulum"},
+                             Field{"reflex.capture_load_shift_m",
+                                   &capture.load_shift_m,
+                                   {0.0, 0.5},
+                                   "m",
+                                   "way of the centre of mass under the load that the capture step is designed for"},
+                             Field{"reflex.capture_tilt_back_rad_s",
+                                   &capture.tilt_back_rad_s,
+                                   {0.0, 30.0},
+                                   "rad/s",
+                                   "backward rise of the pitch rate that tells of a load at the back"},
+                             Field{"reflex.capture_tilt_margin_rad_s",
+                                   &capture.tilt_margin_rad_s,
+                                   {0.0, 30.0},
+                                   "rad/s",
+                                   "rate of roll or pitch above the learned ones at which balance is lost"},
+                             Field{"reflex.capture_max_step_m",
+                                   &capture.max_step_m,
+                                   {0.0, 0.5},
+                                   "m",
+                                   "longest way of the swing foot against the body within the capture step"},
+                             Field{"reflex.capture_leg_use",
+                                   &capture.leg_use,
+                                   {0.1, 1.0},
+                                   "1",
+                                   "share of the stretched leg that the capture step may use"},
+                             Field{"reflex.capture_shift_acceleration_m_s2",
+                                   &capture.shift_acceleration_m_s2,
+                                   {0.01, 10.0},
+                                   "m/s2",
+                                   "peak acceleration of the capture method's shift of the feet"},
+                             Field{"reflex.capture_max_lateral_shift_m",
+                                   &capture.max_lateral_shift_m,
+                                   {0.0, 0.5},
+                                   "m",
+                                   "bound on one lateral adaptation of the capture method"}});
+}
+
 void append_reflex(std::vector<Field>& table, decision::PayloadDetectorConfig& detector,
                    decision::ReflexConfig& reflex) {
   table.insert(
@@ -60,7 +103,11 @@ void append_reflex(std::vector<Field>& table, decision::PayloadDetectorConfig& d
              "s",
              "time over which the largest unloaded force is learned, at least one gait cycle"},
        Field{"detector.margin_n", &detector.margin_n, {0.0, 1000.0}, "N", "margin above the largest learned force"},
-       Field{"detector.relearning_s", &detector.relearning_s, {0.0, 60.0}, "s", "time of learning after a recovery"},
+       Field{"detector.relearning_s",
+             &detector.relearning_s,
+             {0.0, 60.0},
+             "s",
+             "time of learning after a recovery; where not given 2.4, or 4.8 with capture"},
        Field{"detector.resume_margin_n",
              &detector.resume_margin_n,
              {0.0, 1000.0},
@@ -75,7 +122,7 @@ void append_reflex(std::vector<Field>& table, decision::PayloadDetectorConfig& d
              &reflex.settling_s,
              {0.01, 60.0},
              "s",
-             "settling time, t_set; where not given 2, or 4 with the modified method"},
+             "settling time, t_set; where not given 2, 4 with the modified method, 3 with capture"},
        Field{"reflex.shift_s", &reflex.shift_s, {0.01, 60.0}, "s", "duration of the shift of the feet, t_x"},
        Field{"reflex.foot_offset_m",
              &reflex.foot_offset_m,
@@ -155,6 +202,7 @@ void append_firmware_fields(std::vector<Field>& table, Scenario& scenario) {
   append_gait(table, scenario.firmware.walk);
   append_estimation(table, scenario.firmware.estimator);
   append_reflex(table, scenario.firmware.detector, scenario.firmware.reflex);
+  append_capture(table, scenario.firmware.reflex.capture);
   append_servo(table, scenario.firmware.servo);
   append_gate(table, scenario.firmware.gate);
   append_geometry(table, scenario.firmware.geometry);

@@ -15,8 +15,8 @@
 namespace surefoot::scenario {
 namespace {
 
-/// More than the longest effective scenario, all payloads and faults in it; keeps out /dev/zero, mistaken logs, and keys of so many
-/// parts that the parser's recursion would overflow the stack.
+/// More than the longest effective scenario, all payloads, pushes and faults in it; keeps out /dev/zero, mistaken logs,
+/// and keys of so many parts that the parser's recursion would overflow the stack.
 constexpr std::size_t kLargestFile = 64 * 1024;
 
 /// tools/scenarios/main.toml without its comments.

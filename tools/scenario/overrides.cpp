@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <optional>
 #include <string_view>
 #include <utility>
 
+#include "tools/scenario/bare_word.hpp"
 #include "tools/scenario/field_table.hpp"
 #include "tools/scenario/toml_reader.hpp"
 
@@ -25,12 +25,6 @@ struct Refused {
   std::string statement;
   std::string remedy = kPattern;
 };
-
-bool is_bare_word(std::string_view text) {
-  const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
-  const auto belongs = [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-'; };
-  return !text.empty() && is_letter(text.front()) && std::all_of(text.begin(), text.end(), belongs);
-}
 
 /// A table with the value under "value".
 toml::table parse_value(const std::string& text) {

@@ -15,9 +15,13 @@ namespace surefoot::scenario {
 
 /// What a run must keep to besides not falling; an angle of 0 means no limit.
 struct VerdictLimits {
-  double max_abs_pitch_deg = 0.0;          ///< torso, on the scenario's clock from 0 on
-  double max_abs_roll_deg = 0.0;           ///< torso, on the scenario's clock from 0 on
-  double min_cycles_after_recovery = 2.0;  ///< gait cycles to walk after the last load, where a reflex answers it
+  double max_abs_pitch_deg = 0.0;  ///< torso, on the scenario's clock from 0 on
+  double max_abs_roll_deg = 0.0;   ///< torso, on the scenario's clock from 0 on
+  /// Gait cycles to walk after the last load, where a reflex answers it, and after the last removal and push.
+  double min_cycles_after_recovery = 2.0;
+  /// The run ends once these cycles are walked and every load was noticed, taken off and every push over where there
+  /// are any; a run with faults, or with a load that no reflex answers, goes on until `duration_s`.
+  bool ends_when_recovered = false;
 };
 
 /// How much is recorded.
@@ -28,7 +32,7 @@ struct TelemetryOptions {
 /// Everything that decides how a run goes, and nothing else: equal scenarios give equal bits.
 ///
 /// The scenario's clock reads 0 at the begin of the first scored gait cycle, that is, after
-/// standing, start-up, warm-up and learning; `duration_s` and `at_s` of payloads and faults count on it.
+/// standing, start-up, warm-up and learning; `duration_s` and `at_s` of payloads, pushes and faults count on it.
 ///
 /// Numbers that two rooms need stand once as a key and are copied by `share_numbers`; the seed
 /// lives in `sim.seed`, the time between ticks in `firmware.period_s`. `sim.time_zero_s` is the
@@ -52,10 +56,10 @@ inline constexpr std::size_t kMaxPayloads = 16;
 /// Reads a scenario file. Order of precedence: `--set` overrides, the file, the plant's preset, the
 /// structs' defaults. Payloads come back sorted by time.
 ///
-/// Faults keep the order of the file.
+/// Pushes and faults keep the order of the file.
 ///
-/// @param overrides  "key=value" each, as given to `--set`; later ones win; payloads and faults by their
-///                   place in the file: "payload.0.mass_kg=5"
+/// @param overrides  "key=value" each, as given to `--set`; later ones win; payloads, pushes and faults by
+///                   their place in the file: "payload.0.mass_kg=5"
 /// @throws ScenarioError with every problem found: unknown keys, wrong types, impossible values
 [[nodiscard]] Scenario load(const std::filesystem::path& file, std::span<const std::string> overrides = {});
 

@@ -61,12 +61,15 @@ class Reader {
   explicit Reader(const Document& document) : document_(document) {
     const std::string plant = document.root["plant"].value_or(std::string("thesis"));
     defaults_ = preset(plant == "nominal" ? plant : "thesis");
-    if (document.root["reflex"]["method"].value_or(std::string()) == "modified") {
-      defaults_.firmware.reflex.settling_s = 4.0;
+    const std::string method = document.root["reflex"]["method"].value_or(std::string());
+    if (method == "modified") defaults_.firmware.reflex.settling_s = 4.0;
+    if (method == "capture") {
+      defaults_.firmware.reflex.settling_s = 3.0;
+      defaults_.firmware.detector.relearning_s = 4.8;  // a load at a side makes the two steps of a cycle differ
     }
     scenario_ = defaults_;
     for (const Field& field : fields(scenario_)) known_keys_.push_back(field.key);
-    known_keys_.insert(known_keys_.end(), {"payload", "fault"});
+    known_keys_.insert(known_keys_.end(), {"payload", "push", "fault"});
     for (const std::string& key : std::vector<std::string>(known_keys_)) {
       if (const std::size_t dot = key.find('.'); dot != std::string::npos) tables_.insert(key.substr(0, dot));
     }
@@ -104,6 +107,7 @@ class Reader {
       } else if (prefix.empty() && is_array_of_tables(key)) {
         places_[key] = place;
         if (key == "payload") read_elements(key, node, scenario_.sim.payloads, kMaxPayloads);
+        if (key == "push") read_elements(key, node, scenario_.sim.pushes, sim_hw::kMaxPushes);
         if (key == "fault") read_elements(key, node, scenario_.sim.faults, sim_hw::kMaxFaults);
       } else if (prefix.empty() && tables_.contains(key)) {
         read_known_table(key, node, place, known, defaults);

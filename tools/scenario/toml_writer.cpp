@@ -39,6 +39,7 @@ std::string to_toml(const Scenario& scenario) {
   std::string text = "# The effective scenario: every key, with its meaning and limits.\n";
   std::string table;
   if (written.sim.payloads.empty()) text += "payload = []\n";
+  if (written.sim.pushes.empty()) text += "push = []\n";
   if (written.sim.faults.empty()) text += "fault = []\n";
   for (const Field& field : fields(written)) {
     if (table_of(field.key) != table) {
@@ -50,6 +51,10 @@ std::string to_toml(const Scenario& scenario) {
   for (sim_hw::PayloadConfig& payload : written.sim.payloads) {
     text += "\n[[payload]]\n";
     for (const Field& field : fields(payload)) write_line(text, field);
+  }
+  for (sim_hw::PushConfig& push : written.sim.pushes) {
+    text += "\n[[push]]\n";
+    for (const Field& field : fields(push)) write_line(text, field);
   }
   for (sim_hw::FaultConfig& fault : written.sim.faults) {
     text += "\n[[fault]]\n";
@@ -76,6 +81,10 @@ std::string describe_keys() {
       "\n[[payload]], up to {} of them; --set payload.0.mass_kg=5 changes the first, payload=[] removes all\n",
       kMaxPayloads);
   for (const Field& field : fields(payload)) describe(text, "payload.N." + field.key, field);
+  sim_hw::PushConfig push;
+  text += fmt::format("\n[[push]], up to {} of them; --set push.0.force_n=[0,200,0] and so on, as with payloads\n",
+                      sim_hw::kMaxPushes);
+  for (const Field& field : fields(push)) describe(text, "push.N." + field.key, field);
   sim_hw::FaultConfig fault;
   text += fmt::format("\n[[fault]], up to {} of them; --set fault.0.kind=corrupt and so on, as with payloads\n",
                       sim_hw::kMaxFaults);

@@ -10,6 +10,7 @@ PerSide<double> reflex_offset_x_m(const gait::WalkParameters& walk, const Reflex
   double left_m = 0.0;
   switch (config.method) {
     case ReflexMethod::kOff:
+    case ReflexMethod::kCapture:  // plans a step of its own
       break;
     case ReflexMethod::kOriginal: {
       const bool is_mirrored = config.mirrored && gait::half_cycle(walk, walk_phase_s).swing == Side::kRight;

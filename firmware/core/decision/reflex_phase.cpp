@@ -49,6 +49,8 @@ const char* name(ReflexEvent event) noexcept {
       return "rested";
     case ReflexEvent::kStopOrdered:
       return "stop_ordered";
+    case ReflexEvent::kBalanceLost:
+      return "balance_lost";
   }
   return "unknown";
 }

@@ -9,7 +9,7 @@ namespace surefoot::decision {
 /// What the robot is doing (El-Kahlout 2003, section 3.3; the first two phases are ours).
 enum class ReflexPhase : std::uint8_t {
   kStanding,   ///< entered at power-up, feet side by side; leaves when the standing time is over
-  kWalking,    ///< nominal gait; leaves when the payload detector fires
+  kWalking,    ///< nominal gait; leaves when the payload detector fires or balance is lost
   kReflex,     ///< both feet move to the reflex stance, t_refl; leaves when the movement ends
   kSettling,   ///< stands while the ZMP filter settles, t_set; leaves after that time
   kShifting,   ///< moves both feet by the ZMP error, t_x; leaves when the movement ends
@@ -29,6 +29,7 @@ enum class ReflexEvent : std::uint8_t {
   kRestored,
   kRested,
   kStopOrdered = 8,  ///< a fault latched; 7 is no event of the sequence in the recorded logs
+  kBalanceLost = 9,  ///< the body tips faster than the unloaded walk did; the capture method alone
 };
 
 struct Edge {
@@ -41,6 +42,7 @@ struct Edge {
 inline constexpr std::array kReflexEdges{
     Edge{ReflexPhase::kStanding, ReflexEvent::kStandingDone, ReflexPhase::kRestoring},
     Edge{ReflexPhase::kWalking, ReflexEvent::kPayloadDetected, ReflexPhase::kReflex},
+    Edge{ReflexPhase::kWalking, ReflexEvent::kBalanceLost, ReflexPhase::kReflex},
     Edge{ReflexPhase::kReflex, ReflexEvent::kReflexDone, ReflexPhase::kSettling},
     Edge{ReflexPhase::kSettling, ReflexEvent::kSettled, ReflexPhase::kShifting},
     Edge{ReflexPhase::kShifting, ReflexEvent::kShifted, ReflexPhase::kRestoring},
@@ -60,8 +62,9 @@ inline constexpr std::array kReflexPhases{ReflexPhase::kStanding, ReflexPhase::k
                                           ReflexPhase::kResting,  ReflexPhase::kStopped};
 
 inline constexpr std::array kReflexEvents{
-    ReflexEvent::kStandingDone, ReflexEvent::kPayloadDetected, ReflexEvent::kReflexDone, ReflexEvent::kSettled,
-    ReflexEvent::kShifted,      ReflexEvent::kRestored,        ReflexEvent::kRested,     ReflexEvent::kStopOrdered};
+    ReflexEvent::kStandingDone, ReflexEvent::kPayloadDetected, ReflexEvent::kReflexDone,
+    ReflexEvent::kSettled,      ReflexEvent::kShifted,         ReflexEvent::kRestored,
+    ReflexEvent::kRested,       ReflexEvent::kStopOrdered,     ReflexEvent::kBalanceLost};
 
 /// The phase after `event` in `phase`, or nothing when the pair is illegal.
 [[nodiscard]] std::optional<ReflexPhase> next_phase(ReflexPhase phase, ReflexEvent event) noexcept;

@@ -31,7 +31,21 @@ struct Sequence {
     return gait::foot_reference(walk, state.decision.motion, state.phase_duration_s);
   }
 
+  [[nodiscard]] bool is_capture() const noexcept { return reflex.method == ReflexMethod::kCapture; }
+
+  [[nodiscard]] double offset_y_m() const noexcept {
+    return state.decision.reference_y_body_m - walk.reference_y_body_m;
+  }
+
+  /// The walk with its feet where the lateral adaptations have put them.
+  [[nodiscard]] gait::WalkParameters walk_aside() const noexcept {
+    gait::WalkParameters placed = walk;
+    placed.reference_y_body_m = state.decision.reference_y_body_m;
+    return placed;
+  }
+
   void power_up() noexcept {
+    state.decision.reference_y_body_m = walk.reference_y_body_m;
     state.decision.reference_x_body_m = walk.reference_x_body_m;
     state.decision.motion = gait::stand(gait::stance(walk, {walk.reference_x_body_m, walk.reference_x_body_m}));
     state.phase_duration_s = reflex.standing_s;
@@ -57,11 +71,12 @@ struct Sequence {
                                                               stance[index(Side::kRight)].position_body_m.x(),
                                                               stance[index(Side::kLeft)].position_body_m.x());
     state.decision.restoration = plan;
-    follow(gait::restore(plan), plan.duration_s());
+    follow(gait::restore(plan, offset_y_m()), plan.duration_s());
   }
 
   void measure_balance() noexcept {
     state.decision.balance_zmp_x_body_m = estimate.filtered_zmp_x_body_m - reflex.balance_offset_m;
+    state.decision.balance_zmp_y_body_m = estimate.filtered_zmp_y_body_m;
     state.standing_force_n = estimate.filtered_force_n;
   }
 
@@ -69,11 +84,40 @@ struct Sequence {
     return gait::foot_reference(walk, state.decision.motion, time_in_phase_s());
   }
 
+  void capture() noexcept {
+    Decision& decision = state.decision;
+    const CaptureState falling{.feet = now(),
+                               .com_x_body_m = decision.balance_zmp_x_body_m + reflex.balance_offset_m,
+                               .tilt_rate_rise_rad_s = estimate.pitch_rate_rise_rad_s};
+    decision.capture = plan_capture(walk_aside(), reflex.capture, falling, reflex.reflex_s);
+    restart(gait::move(falling.feet, decision.capture.end, gait::MotionProfile::kQuintic, reflex.reflex_s),
+            reflex.reflex_s);
+  }
+
   void react() noexcept {
+    if (is_capture()) return capture();
     const FootReference at_trigger = now();
     const PerSide<double> offset_x_m = reflex_offset_x_m(walk, reflex, at_trigger, state.decision.walk_phase_s);
     const FootReference stance = gait::reflex_stance(walk, at_trigger, offset_x_m);
     restart(gait::move(at_trigger, stance, reflex.profile, reflex.reflex_s), reflex.reflex_s);
+  }
+
+  /// The capture method's part of the adaptation: y as (3.19) does x, and the feet's middle, which the step has
+  /// moved, goes to the reference.
+  void shift_to_reference() noexcept {
+    Decision& decision = state.decision;
+    const double bound_m = reflex.capture.max_lateral_shift_m;
+    const double error_y_m = estimate.filtered_zmp_y_body_m - decision.balance_zmp_y_body_m;
+    const double shift_y_m = estimate.is_zmp_within_feet ? std::clamp(error_y_m, -bound_m, bound_m) : 0.0;
+    decision.reference_y_body_m += shift_y_m;
+    decision.balance_zmp_y_body_m += shift_y_m;
+    const FootReference start = end_of_motion();
+    FootReference end = start;
+    const double middle_x_m = 0.5 * (start[0].position_body_m.x() + start[1].position_body_m.x());
+    const geometry::Vector3 shift_m{decision.reference_x_body_m - middle_x_m, shift_y_m, 0.0};
+    for (FootPath& foot : end) foot.position_body_m += shift_m;
+    const double shift_s = gentle_shift_s(reflex.capture, shift_m.norm(), reflex.shift_s);
+    follow(gait::move(start, end, gait::MotionProfile::kQuintic, shift_s), shift_s);
   }
 
   void adapt() noexcept {
@@ -88,6 +132,7 @@ struct Sequence {
     state.decision.balance_zmp_x_body_m += shift_m;
     rearm(detector, state.detector, estimate.filtered_force_n - state.standing_force_n);
     state.standing_force_n = estimate.filtered_force_n;
+    if (is_capture()) return shift_to_reference();
     const FootReference start = end_of_motion();
     FootReference end = start;
     for (FootPath& foot : end) foot.position_body_m.x() += shift_m;
@@ -98,14 +143,14 @@ struct Sequence {
     // A step that was skipped may leave up to 2e-3 b_s: it is made up for while resting.
     const double spread_m = lateral_sign(state.decision.restoration.swing) * walk.half_step_m;
     const double reference_x_m = state.decision.reference_x_body_m;
-    const FootReference stance = gait::stance(walk, {reference_x_m - spread_m, reference_x_m + spread_m});
+    const FootReference stance = gait::stance(walk_aside(), {reference_x_m - spread_m, reference_x_m + spread_m});
     const double rest_s = 0.5 * reflex.settling_s;
     follow(gait::move(end_of_motion(), stance, gait::MotionProfile::kQuintic, rest_s), rest_s);
   }
 
   void walk_on() noexcept {
     const double phase_s = state.decision.restoration.resume_phase_s(walk);
-    restart(gait::walk_on(phase_s, state.decision.reference_x_body_m), 0.0);
+    restart(gait::walk_on(phase_s, state.decision.reference_x_body_m, offset_y_m()), 0.0);
   }
 
   void act(ReflexEvent event) noexcept {
@@ -114,6 +159,7 @@ struct Sequence {
         measure_balance();
         return take_step_from(end_of_motion());
       case ReflexEvent::kPayloadDetected:
+      case ReflexEvent::kBalanceLost:
         return react();
       case ReflexEvent::kReflexDone:
         return follow(gait::stand(end_of_motion()), reflex.settling_s);
@@ -126,7 +172,7 @@ struct Sequence {
       case ReflexEvent::kRested:
         return walk_on();
       case ReflexEvent::kStopOrdered:
-        return restart(gait::safe_stop(walk, *stop, now()), stop->duration_s);
+        return restart(gait::safe_stop(walk_aside(), *stop, now()), stop->duration_s);
     }
   }
 
@@ -148,7 +194,10 @@ struct Sequence {
     Decision& decision = state.decision;
     decision.is_payload_seen =
         decision::step(detector, state.detector, estimate.filtered_force_n, ticks_since_origin(), period_s);
-    if (!decision.is_payload_seen) return std::nullopt;
+    const bool is_tipping =
+        is_capture() && is_balance_lost(reflex.capture.tilt_margin_rad_s, state.balance, state.detector.stage,
+                                        estimate.roll_rate_rad_s, estimate.pitch_rate_rad_s);
+    if (!decision.is_payload_seen) return is_tipping ? std::optional(ReflexEvent::kBalanceLost) : std::nullopt;
     decision.trigger_time_s = time_of_tick(state.tick, period_s);
     if (reflex.method == ReflexMethod::kOff) return std::nullopt;
     return ReflexEvent::kPayloadDetected;

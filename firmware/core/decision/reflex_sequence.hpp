@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "firmware/core/decision/balance_watch.hpp"
 #include "firmware/core/decision/payload_detector.hpp"
 #include "firmware/core/decision/reflex_config.hpp"
 #include "firmware/core/decision/reflex_phase.hpp"
@@ -29,6 +30,9 @@ struct Decision {
   double reference_x_body_m = 0.0;      ///< x_ref_as with all adaptations so far
   double balance_zmp_x_body_m = 0.0;    ///< what the adaptation steers to; measured at the end of the first standing
   double adaptation_m = 0.0;            ///< a, (3.19): last shift of the feet
+  double reference_y_body_m = 0.0;      ///< y_ref_as with all lateral adaptations; the capture method alone has any
+  double balance_zmp_y_body_m = 0.0;    ///< what those steer to
+  CaptureStep capture{};                ///< the last one that was planned
   int refused_adaptations = 0;          ///< shifts left out because the ZMP lay outside the feet
   gait::StepRestoration restoration{};  ///< the last restoring step that was planned
 };
@@ -43,6 +47,7 @@ struct ReflexSequenceState {
   double phase_begin_s = 0.0;     ///< exact begin of the phase after the origin tick
   double phase_duration_s = 0.0;  ///< exact; unused while walking
   PayloadDetectorState detector{};
+  BalanceWatchState balance{};
   double standing_force_n = 0.0;  ///< filtered force of the last standing: the robot's weight
   Decision decision{};            ///< of the last tick
 };
@@ -62,6 +67,9 @@ struct ReflexSequenceState {
 /// At T2 the adaptation a = filtered ZMP - balance ZMP, (3.19), moves x_ref_as, (3.20), and the
 /// detector's threshold is carried to the new standing weight: it is armed from the first step on. A
 /// filtered ZMP outside the feet cannot be: then the feet stay where they are, and it is counted.
+///
+/// The capture method (ours) triggers on tipping, too, plans its own end of the reflex (`plan_capture`), adapts y
+/// as x, and shifts the feet's middle, which its step has moved, to the reference, no faster than is gentle.
 ///
 /// Calls must come once a period, from power-up on.
 ///

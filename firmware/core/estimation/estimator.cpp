@@ -65,14 +65,25 @@ Estimate step(const EstimatorConfig& config, const geometry::RobotGeometry& robo
       }
       state.zmp_x_body_m = sum.x() / estimate.vertical_force_n;
       state.zmp_y_body_m = sum.y() / estimate.vertical_force_n;
+      bool has_zmp_y = state.has_zmp;
+      filter(state.filtered_zmp_y_body_m, has_zmp_y, state.zmp_factor, state.zmp_y_body_m);
       filter(state.filtered_zmp_x_body_m, state.has_zmp, state.zmp_factor, state.zmp_x_body_m);
       state.is_zmp_within_feet = state.filtered_zmp_x_body_m >= heel_x_m && state.filtered_zmp_x_body_m <= toe_x_m;
     }
+  }
+  if (sensors.torso.freshness.is_fresh()) {
+    state.roll_rate_rad_s = sensors.torso.angular_rate_body_rad_s.x();
+    state.pitch_rate_rad_s = sensors.torso.angular_rate_body_rad_s.y();
+    filter(state.mean_pitch_rate_rad_s, state.has_pitch_rate, state.force_factor, state.pitch_rate_rad_s);
   }
   estimate.filtered_force_n = state.filtered_force_n;
   estimate.zmp_x_body_m = state.zmp_x_body_m;
   estimate.zmp_y_body_m = state.zmp_y_body_m;
   estimate.filtered_zmp_x_body_m = state.filtered_zmp_x_body_m;
+  estimate.filtered_zmp_y_body_m = state.filtered_zmp_y_body_m;
+  estimate.roll_rate_rad_s = state.roll_rate_rad_s;
+  estimate.pitch_rate_rad_s = state.pitch_rate_rad_s;
+  estimate.pitch_rate_rise_rad_s = state.pitch_rate_rad_s - state.mean_pitch_rate_rad_s;
   estimate.is_zmp_within_feet = state.is_zmp_within_feet;
   return estimate;
 }

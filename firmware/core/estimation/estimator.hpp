@@ -19,6 +19,11 @@ struct EstimatorState {
   double zmp_x_body_m = 0.0;
   double zmp_y_body_m = 0.0;
   double filtered_zmp_x_body_m = 0.0;
+  double filtered_zmp_y_body_m = 0.0;
+  double roll_rate_rad_s = 0.0;
+  double pitch_rate_rad_s = 0.0;
+  double mean_pitch_rate_rad_s = 0.0;  ///< through the force filter's time constant
+  bool has_pitch_rate = false;
   bool has_force = false;          ///< first valid force seen; the force filter starts there, not at zero
   bool has_zmp = false;            ///< first valid ZMP seen
   bool is_zmp_within_feet = true;  ///< judged when the ZMP last moved
@@ -34,6 +39,10 @@ struct Estimate {
   double zmp_x_body_m = 0.0;      ///< from the eight corner forces at the measured joint angles
   double zmp_y_body_m = 0.0;
   double filtered_zmp_x_body_m = 0.0;  ///< (3.18) with the raw ZMP in its last term
+  double filtered_zmp_y_body_m = 0.0;  ///< the same for y
+  double roll_rate_rad_s = 0.0;        ///< gyro's x
+  double pitch_rate_rad_s = 0.0;       ///< gyro's y, forward positive
+  double pitch_rate_rise_rad_s = 0.0;  ///< gyro's y less its mean: how the body has begun to tip, forward positive
   bool is_zmp_within_feet = true;      ///< filtered ZMP between the rearmost heel and the foremost toe: it must be
   PerSide<double> foot_force_n{};
 };

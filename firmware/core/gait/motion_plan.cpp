@@ -44,6 +44,11 @@ FootPath moved(const MotionPlan& plan, Side side, double time_s) noexcept {
   return foot;
 }
 
+FootReference aside(FootReference feet, double offset_y_m) noexcept {
+  for (FootPath& foot : feet) foot.position_body_m.y() += offset_y_m;
+  return feet;
+}
+
 }  // namespace
 
 MotionPlan stand(const FootReference& stance) noexcept { return {.start = stance, .end = stance}; }
@@ -53,18 +58,24 @@ MotionPlan move(const FootReference& start, const FootReference& end, MotionProf
   return {.profile = profile, .duration_s = duration_s, .start = start, .end = end};
 }
 
-MotionPlan restore(const StepRestoration& step) noexcept { return {.motion = Motion::kStep, .step = step}; }
+MotionPlan restore(const StepRestoration& step, double offset_y_body_m) noexcept {
+  return {.motion = Motion::kStep, .step = step, .offset_y_body_m = offset_y_body_m};
+}
 
-MotionPlan walk_on(double start_phase_s, double reference_x_body_m) noexcept {
-  return {.motion = Motion::kWalk, .start_phase_s = start_phase_s, .reference_x_body_m = reference_x_body_m};
+MotionPlan walk_on(double start_phase_s, double reference_x_body_m, double offset_y_body_m) noexcept {
+  return {.motion = Motion::kWalk,
+          .start_phase_s = start_phase_s,
+          .reference_x_body_m = reference_x_body_m,
+          .offset_y_body_m = offset_y_body_m};
 }
 
 FootReference foot_reference(const WalkParameters& walk, const MotionPlan& plan, double time_s) noexcept {
   switch (plan.motion) {
     case Motion::kStep:
-      return restoration_reference(walk, plan.step, time_s);
+      return aside(restoration_reference(walk, plan.step, time_s), plan.offset_y_body_m);
     case Motion::kWalk:
-      return nominal_walk_from_rest(walk, plan.start_phase_s + time_s, plan.reference_x_body_m, time_s);
+      return aside(nominal_walk_from_rest(walk, plan.start_phase_s + time_s, plan.reference_x_body_m, time_s),
+                   plan.offset_y_body_m);
     case Motion::kMove:
       break;
   }

@@ -30,6 +30,8 @@ struct MotionPlan {
   // kWalk
   double start_phase_s = 0.0;
   double reference_x_body_m = 0.0;
+  // kStep and kWalk
+  double offset_y_body_m = 0.0;  ///< of both feet, from y_ref_as
 };
 
 /// Both feet stand still at `stance`.
@@ -43,10 +45,11 @@ struct MotionPlan {
                               double duration_s) noexcept;
 
 /// The restoring step.
-[[nodiscard]] MotionPlan restore(const StepRestoration& step) noexcept;
+[[nodiscard]] MotionPlan restore(const StepRestoration& step, double offset_y_body_m = 0.0) noexcept;
 
 /// The nominal walk from `start_phase_s` on, with the sway faded in.
-[[nodiscard]] MotionPlan walk_on(double start_phase_s, double reference_x_body_m) noexcept;
+[[nodiscard]] MotionPlan walk_on(double start_phase_s, double reference_x_body_m,
+                                 double offset_y_body_m = 0.0) noexcept;
 
 /// Where the feet shall be: a pure function of the plan and the time.
 ///

@@ -16,7 +16,7 @@ constexpr std::size_t kLeft = index(Side::kLeft);
 
 ReflexConfig any_reflex() {
   ReflexConfig reflex;
-  reflex.method = *rc::gen::element(ReflexMethod::kOriginal, ReflexMethod::kModified);
+  reflex.method = *rc::gen::element(ReflexMethod::kOriginal, ReflexMethod::kModified, ReflexMethod::kCapture);
   reflex.mirrored = *rc::gen::arbitrary<bool>();
   reflex.profile = *rc::gen::element(gait::MotionProfile::kRamp, gait::MotionProfile::kQuintic);
   reflex.timing = *rc::gen::element(gait::RestorationTiming::kAcosFactor, gait::RestorationTiming::kNominalCosine);
@@ -109,6 +109,7 @@ TEST(ReflexSequenceProperty, VelocitiesJumpOnlyWhereTheRampMust) {
       const std::optional<ReflexEvent> event = now.decision.event;
       if (!event) return;
       const bool may_jump = whole.run.reflex.profile == gait::MotionProfile::kRamp &&
+                            whole.run.reflex.method != ReflexMethod::kCapture &&
                             (event == ReflexEvent::kPayloadDetected || event == ReflexEvent::kReflexDone ||
                              event == ReflexEvent::kSettled || event == ReflexEvent::kShifted);
       if (may_jump) return;
@@ -140,13 +141,15 @@ TEST(ReflexSequenceProperty, EveryPhaseBeginsWithTheFirstTickNotBeforeItsInstant
     WholeRun whole = any_run();
     std::map<ReflexEvent, double> since_trigger_s;
     double step_s = 0.0;
+    double shift_s = whole.run.reflex.shift_s;
     whole.each([&](const SequenceTick&, const SequenceTick& now) {
+      if (now.decision.phase == ReflexPhase::kShifting) shift_s = now.decision.motion.duration_s;
       if (!now.decision.event || !now.decision.trigger_time_s) return;
       since_trigger_s[*now.decision.event] = now.time_s - *now.decision.trigger_time_s;
       step_s = now.decision.restoration.duration_s();
     });
     const ReflexConfig& reflex = whole.run.reflex;
-    const double t1 = reflex.reflex_s, t2 = t1 + reflex.settling_s, t3 = t2 + reflex.shift_s;
+    const double t1 = reflex.reflex_s, t2 = t1 + reflex.settling_s, t3 = t2 + shift_s;
     const double t6 = t3 + step_s, t7 = t6 + 0.5 * reflex.settling_s;
     const auto is_on_time = [&](ReflexEvent event, double instant_s) {
       const double late_s = since_trigger_s.at(event) - instant_s;

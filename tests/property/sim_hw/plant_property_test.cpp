@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <vector>
 
 #include "sim_hw/world/corner_contact.hpp"
 #include "tests/unit/sim_hw/momentum.hpp"
@@ -102,6 +103,44 @@ RC_GTEST_PROP(RobotModelProperty, TakesAnyLoadWithoutAJumpOfAnyPoint, ()) {
     RC_ASSERT(inertia.minCoeff() > 0.0);
     RC_ASSERT(2.0 * inertia.maxCoeff() <= inertia.sum() * (1.0 + 1e-12));
   }
+}
+
+PayloadConfig any_box() {
+  PayloadConfig payload;
+  payload.mass_kg = within(0.0, 40.0);
+  payload.position_m = {within(-0.5, 0.5), within(-0.5, 0.5), within(-0.5, 1.0)};
+  payload.inertia = *rc::gen::arbitrary<bool>() ? PayloadInertia::kThesis : PayloadInertia::kExact;
+  return payload;
+}
+
+RC_GTEST_PROP(WorldProperty, IsAfterAnyRemovalAsIfOnlyTheRestHadBeenHungOn, ()) {
+  World world(SimConfig{}, testing::stance({}));
+  world.robot().set_joints(joints_within(1.5), joints_within(3.0));
+  world.robot().place_body(vector_within(10.0), any_rotation(), vector_within(2.0), vector_within(3.0));
+  std::vector<PayloadConfig> boxes;
+  for (int i = *rc::gen::inRange(1, 7); i > 0; --i) boxes.push_back(any_box());
+  std::vector<bool> hangs(boxes.size(), true);
+  for (const PayloadConfig& box : boxes) world.hang(box);
+  const auto removals = *rc::gen::container<std::vector<std::size_t>>(rc::gen::inRange<std::size_t>(0, boxes.size()));
+  for (const std::size_t place : removals) {
+    const auto before = world.robot().motions();
+    world.take_off(place);
+    hangs[place] = false;
+    const auto after = world.robot().motions();
+    for (std::size_t link = 0; link < RobotModel::kLinks; ++link) {
+      RC_ASSERT((after[link].position_m - before[link].position_m).length() < 1e-12);
+      RC_ASSERT((after[link].velocity_m_s - before[link].velocity_m_s).length() < 1e-12);
+      RC_ASSERT((after[link].angular_rad_s - before[link].angular_rad_s).length() < 1e-12);
+    }
+  }
+  World rest(SimConfig{}, testing::stance({}));
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (hangs[i]) rest.hang(boxes[i]);
+  }
+  const TrunkMass& trunk = world.robot().trunk();
+  RC_ASSERT(std::abs(trunk.mass_kg - rest.robot().trunk().mass_kg) < 1e-12);
+  RC_ASSERT((trunk.com_body_m - rest.robot().trunk().com_body_m).norm() < 1e-12);
+  RC_ASSERT((trunk.inertia_kg_m2 - rest.robot().trunk().inertia_kg_m2).norm() < 1e-12);
 }
 
 }  // namespace

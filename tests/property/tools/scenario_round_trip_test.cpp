@@ -31,7 +31,10 @@ Integer integer_in(const Range& range, Integer present) {
 }
 
 void set_at_random(const Field& field) {
-  if (auto* const* number = std::get_if<double*>(&field.target)) **number = number_in(field.range, **number);
+  if (auto* const* number = std::get_if<double*>(&field.target)) {
+    const bool stays_never = field.range.may_be_never && *rc::gen::arbitrary<bool>();
+    if (!stays_never) **number = number_in(field.range, **number);
+  }
   if (auto* const* flag = std::get_if<bool*>(&field.target)) **flag = *rc::gen::arbitrary<bool>();
   if (auto* const* small = std::get_if<std::uint32_t*>(&field.target)) **small = integer_in(field.range, **small);
   if (auto* const* large = std::get_if<std::uint64_t*>(&field.target)) **large = integer_in(field.range, **large);
@@ -65,9 +68,14 @@ Scenario random_scenario() {
   scenario.sim.payloads.resize(*rc::gen::inRange<std::size_t>(0, kMaxPayloads + 1));
   for (sim_hw::PayloadConfig& payload : scenario.sim.payloads) {
     for (const Field& field : fields(payload)) set_at_random(field);
+    if (payload.removed_at_s <= payload.at_s) payload.removed_at_s = sim_hw::kNever_s;
   }
   std::stable_sort(scenario.sim.payloads.begin(), scenario.sim.payloads.end(),
                    [](const auto& a, const auto& b) { return a.at_s < b.at_s; });
+  scenario.sim.pushes.resize(*rc::gen::inRange<std::size_t>(0, sim_hw::kMaxPushes + 1));
+  for (sim_hw::PushConfig& push : scenario.sim.pushes) {
+    for (const Field& field : fields(push)) set_at_random(field);
+  }
   const std::size_t faults = *rc::gen::inRange<std::size_t>(0, sim_hw::kMaxFaults + 1);
   while (scenario.sim.faults.size() < faults) {
     sim_hw::FaultConfig fault;
@@ -106,6 +114,10 @@ TEST(ScenarioRoundTrip, EffectiveScenarioReadsBackToTheSameBits) {
     RC_ASSERT(read.sim.payloads.size() == written.sim.payloads.size());
     for (std::size_t i = 0; i < read.sim.payloads.size(); ++i) {
       RC_ASSERT(bits(fields(read.sim.payloads[i])) == bits(fields(written.sim.payloads[i])));
+    }
+    RC_ASSERT(read.sim.pushes.size() == written.sim.pushes.size());
+    for (std::size_t i = 0; i < read.sim.pushes.size(); ++i) {
+      RC_ASSERT(bits(fields(read.sim.pushes[i])) == bits(fields(written.sim.pushes[i])));
     }
     RC_ASSERT(read.sim.faults.size() == written.sim.faults.size());
     for (std::size_t i = 0; i < read.sim.faults.size(); ++i) {

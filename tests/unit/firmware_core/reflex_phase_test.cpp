@@ -20,6 +20,7 @@ TEST(ReflexPhase, FollowsEveryLegalEdge) {
   using E = ReflexEvent;
   EXPECT_EQ(next_phase(P::kStanding, E::kStandingDone), P::kRestoring);
   EXPECT_EQ(next_phase(P::kWalking, E::kPayloadDetected), P::kReflex);
+  EXPECT_EQ(next_phase(P::kWalking, E::kBalanceLost), P::kReflex);
   EXPECT_EQ(next_phase(P::kReflex, E::kReflexDone), P::kSettling);
   EXPECT_EQ(next_phase(P::kSettling, E::kSettled), P::kShifting);
   EXPECT_EQ(next_phase(P::kShifting, E::kShifted), P::kRestoring);
@@ -29,7 +30,7 @@ TEST(ReflexPhase, FollowsEveryLegalEdge) {
        {P::kStanding, P::kWalking, P::kReflex, P::kSettling, P::kShifting, P::kRestoring, P::kResting}) {
     EXPECT_EQ(next_phase(phase, E::kStopOrdered), P::kStopped);
   }
-  EXPECT_EQ(kReflexEdges.size(), 14U);
+  EXPECT_EQ(kReflexEdges.size(), 15U);
 }
 
 TEST(ReflexPhase, RefusesEveryPairThatIsNotInTheTable) {
@@ -41,13 +42,15 @@ TEST(ReflexPhase, RefusesEveryPairThatIsNotInTheTable) {
       ++illegal;
     }
   }
-  EXPECT_EQ(illegal, 8 * 8 - 14);
+  EXPECT_EQ(illegal, 8 * 9 - 15);
 }
 
-TEST(ReflexPhase, HasOneWayOutOfEachPhaseBesideTheStopAndNoneOutOfThat) {
+TEST(ReflexPhase, HasOneWayOutOfEachPhaseButWalkingBesideTheStopAndNoneOutOfThat) {
   for (const ReflexPhase phase : kReflexPhases) {
     EXPECT_EQ(std::count_if(kReflexEdges.begin(), kReflexEdges.end(), [&](const Edge& e) { return e.from == phase; }),
-              phase == ReflexPhase::kStopped ? 0 : 2);
+              phase == ReflexPhase::kStopped   ? 0
+              : phase == ReflexPhase::kWalking ? 3
+                                               : 2);
   }
 }
 

@@ -74,6 +74,22 @@ TEST(MemoryBus, TapSeesEachAcceptedFrameOfBothEndsInTheOrderOfSendingAndNoRefuse
   EXPECT_EQ(listener.numbers.size(), 4 + MemoryBus::kQueueFrames - 2);
 }
 
+TEST(MemoryBus, ACopyHasTheFramesThatAreOnTheirWayAndAnotherTap) {
+  Listener first;
+  Listener second;
+  MemoryBus bus(&first);
+  bus.controller_end().send(numbered_frames(1, 2));
+  bus.robot_end().send(numbered_frames(11, 3));
+  MemoryBus copy(bus, &second);
+  EXPECT_EQ(received(copy.robot_end()), (std::vector<std::uint32_t>{1, 2}));
+  copy.robot_end().send(numbered_frames(20, 1));
+  EXPECT_EQ(received(copy.controller_end()), (std::vector<std::uint32_t>{11, 12, 13, 20}));
+  EXPECT_EQ(received(bus.robot_end()), (std::vector<std::uint32_t>{1, 2}));
+  EXPECT_EQ(received(bus.controller_end()), (std::vector<std::uint32_t>{11, 12, 13}));
+  EXPECT_EQ(first.numbers, (std::vector<std::uint32_t>{1, 2, 11, 12, 13}));
+  EXPECT_EQ(second.numbers, (std::vector<std::uint32_t>{20}));
+}
+
 TEST(MemoryBus, DoesNotAllocateAfterItsConstruction) {
   MemoryBus bus;
   const std::vector<can::CanFrame> frames = numbered_frames(0, 300);

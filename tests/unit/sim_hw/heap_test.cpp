@@ -57,6 +57,13 @@ TEST(Heap, IsLeftAloneWhileTheRobotServes) {
   EXPECT_EQ(allocations_of(config), 0);
 }
 
+TEST(Heap, IsLeftAloneByPushesAndByLoadsThatComeAndGo) {
+  SimConfig config;
+  config.payloads = {{.mass_kg = 2.0, .at_s = 0.01, .removed_at_s = 0.05}, {.mass_kg = 3.0, .at_s = 0.02}};
+  config.pushes = {{.at_s = 0.03, .duration_s = 0.01, .force_n = {50.0, 0.0, 0.0}}};
+  EXPECT_EQ(allocations_of(config), 0);
+}
+
 TEST(Heap, IsLeftAloneByEveryKindOfFault) {
   for (std::size_t kind = 0; kind < kFaultKinds; ++kind) {
     SimConfig config;

@@ -51,10 +51,54 @@ TEST_F(EventWatchTest, TellsTheMassOfEachPayloadNotTheSum) {
   EXPECT_DOUBLE_EQ(only_event().value, 2.0);
 }
 
+TEST_F(EventWatchTest, TellsTheMassOfWhatIsTakenOff) {
+  truth.payloads_hung = 2;
+  truth.payload_kg = 12.0;
+  EXPECT_THAT(names(), ElementsAre("payload_attached"));
+  truth.payloads_removed = 1;
+  truth.removed_kg = 7.0;
+  const RunEvent removed = only_event();
+  EXPECT_EQ(removed.code, event_t::PAYLOAD_REMOVED);
+  EXPECT_STREQ(removed.name, event_name(event_t::PAYLOAD_REMOVED, 0.0));
+  EXPECT_DOUBLE_EQ(removed.value, 7.0);
+  truth.payloads_removed = 2;
+  truth.removed_kg = 12.0;
+  EXPECT_DOUBLE_EQ(only_event().value, 5.0);
+  EXPECT_THAT(names(), IsEmpty());
+}
+
+TEST_F(EventWatchTest, TellsWhichPushesBeginAndEnd) {
+  truth.pushes_begun = 0b1001;
+  truth.pushes_ended = 0b0001;  // shorter than a tick
+  const std::span<const RunEvent> events = watch.observe(output, truth);
+  ASSERT_EQ(events.size(), 3U);
+  EXPECT_EQ(events[0].code, event_t::PUSH_BEGINS);
+  EXPECT_DOUBLE_EQ(events[0].value, 0.0);
+  EXPECT_DOUBLE_EQ(events[1].value, 3.0);
+  EXPECT_EQ(events[2].code, event_t::PUSH_ENDS);
+  EXPECT_DOUBLE_EQ(events[2].value, 0.0);
+  EXPECT_THAT(names(), IsEmpty());
+  truth.pushes_ended = 0b1001;
+  EXPECT_THAT(names(), ElementsAre("push_ends"));
+  EXPECT_STREQ(event_name(event_t::PUSH_BEGINS, 0.0), "push_begins");
+  EXPECT_STREQ(event_name(event_t::PUSH_ENDS, 0.0), "push_ends");
+}
+
+TEST_F(EventWatchTest, HasRoomForEveryFaultPushAndPayloadInOneTick) {
+  truth.payloads_hung = truth.payloads_removed = 16;
+  truth.faults_active = (1U << sim_hw::kMaxFaults) - 1U;
+  truth.pushes_begun = truth.pushes_ended = (1U << sim_hw::kMaxPushes) - 1U;
+  truth.has_fallen = true;
+  output.decision.event = decision::ReflexEvent::kPayloadDetected;
+  output.joint_reference.is_reachable = false;
+  output.fault = safety::Fault::kJointOutOfRange;
+  EXPECT_EQ(names().size(), 6 + sim_hw::kMaxFaults + 2 * sim_hw::kMaxPushes);
+}
+
 TEST_F(EventWatchTest, PassesEveryStepOfTheSequenceOnUnderItsTelemetryCode) {
   const std::vector<std::int8_t> codes{event_t::STANDING_DONE, event_t::PAYLOAD_DETECTED, event_t::REFLEX_DONE,
                                        event_t::SETTLED,       event_t::SHIFTED,          event_t::RESTORED,
-                                       event_t::RESTED,        event_t::STOP_ORDERED};
+                                       event_t::RESTED,        event_t::STOP_ORDERED,     event_t::BALANCE_LOST};
   ASSERT_EQ(codes.size(), decision::kReflexEvents.size());
   output.decision.time_in_phase_s = 0.00025;
   for (std::size_t i = 0; i < codes.size(); ++i) {

@@ -4,82 +4,23 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "surefoot/event_t.hpp"
+#include "tests/unit/tools/judge_fixture.hpp"
 
 namespace surefoot::run {
 namespace {
 
+using testing::expect_outcome;
 using ::testing::HasSubstr;
+using testing::kAttached;
+using testing::kDetected;
+using testing::kPeriod_s;
+using testing::kSeen;
+using testing::kTimeZero_s;
 
-constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
-constexpr double kPeriod_s = 0.125;  // exact in binary, and so are all instants below
-constexpr double kTimeZero_s = 8.0;
-
-const RunEvent kAttached{event_t::PAYLOAD_ATTACHED, "payload_attached", 5.0};
-const RunEvent kDetected{event_t::PAYLOAD_DETECTED, "payload_detected", 0.0};
-const RunEvent kSeen{event_t::PAYLOAD_SEEN, "payload_seen", 800.0};
-
-/// A judge that is shown ticks which nobody simulated; the robot walks, in double support.
-class JudgeTest : public ::testing::Test {
- protected:
-  JudgeTest() {
-    scenario_.firmware.period_s = kPeriod_s;
-    scenario_.sim.time_zero_s = kTimeZero_s;
-    output_.decision.phase = decision::ReflexPhase::kWalking;
-  }
-
-  Judge& judge() {
-    if (!judge_) judge_.emplace(scenario_);
-    return *judge_;
-  }
-
-  /// Shows the tick at `time_s` on the scenario's clock.
-  void see(double time_s, const std::vector<RunEvent>& events = {}) {
-    output_.tick = static_cast<std::uint32_t>(std::lround((time_s + kTimeZero_s) / kPeriod_s));
-    for (const RunEvent& event : events) truth_.payloads_hung += event.code == event_t::PAYLOAD_ATTACHED ? 1 : 0;
-    judge().observe(output_, truth_, events);
-  }
-
-  /// Shows all ticks in [from_s, to_s).
-  void see_from_to(double from_s, double to_s) {
-    for (double time_s = from_s; time_s < to_s; time_s += kPeriod_s) see(time_s);
-  }
-
-  void lean(double pitch_deg, double roll_deg) {
-    truth_.pitch_rad = pitch_deg * kRadiansPerDegree;
-    truth_.roll_rad = roll_deg * kRadiansPerDegree;
-  }
-
-  /// From power-up: the load of 5 kg comes at 1 s and is noticed; then the robot walks on until `end_s`.
-  void survive_a_payload(double end_s) {
-    see(-kTimeZero_s);
-    see(1.0, {kAttached});
-    output_.decision.phase = decision::ReflexPhase::kReflex;
-    see(1.125, {kDetected});
-    output_.decision.phase = decision::ReflexPhase::kWalking;
-    see_from_to(5.0, end_s);
-  }
-
-  Verdict verdict(bool was_interrupted = false) { return judge().verdict(was_interrupted); }
-
-  scenario::Scenario scenario_;
-  TickOutput output_;
-  sim_hw::GroundTruth truth_;
-
- private:
-  std::optional<Judge> judge_;
-};
-
-void expect_outcome(const Verdict& verdict, Outcome outcome, int code, const std::string& figure) {
-  EXPECT_EQ(verdict.outcome, outcome) << verdict.reason;
-  EXPECT_EQ(static_cast<int>(exit_code(verdict.outcome)), code);
-  EXPECT_THAT(verdict.reason, HasSubstr(figure));
-}
+class JudgeTest : public testing::JudgeFixture {};
 
 TEST_F(JudgeTest, SaysWalkedWhenTheRobotStandsAtTheEnd) {
   see_from_to(-kTimeZero_s, 20.0);
@@ -163,6 +104,44 @@ TEST_F(JudgeTest, WantsCyclesAfterTheRecoveryAndSaysHowManyThereWere) {
   expect_outcome(verdict(), Outcome::kLimit, 2, "0.9896 cycles walked after recovery");
   see(9.75);
   expect_outcome(verdict(), Outcome::kWalked, 0, "1 of 1 payloads noticed");
+}
+
+// 4.8 s from 5.0 s on are walked after the tick at 9.75 s, whose period is 0.125 s.
+TEST_F(JudgeTest, EndsAtTheLastCycleAskedForWhereTheScenarioSaysSo) {
+  scenario_.sim.payloads.resize(1);
+  scenario_.limits.min_cycles_after_recovery = 1.0;
+  scenario_.limits.ends_when_recovered = true;
+  survive_a_payload(9.75);
+  EXPECT_FALSE(judge().is_over());
+  see(9.75);
+  EXPECT_TRUE(judge().is_over());
+  expect_outcome(verdict(), Outcome::kWalked, 0, "1 of 1 payloads noticed");
+}
+
+TEST_F(JudgeTest, EndsEarlyForNoLoadThatIsUnnoticedUnansweredOrStillToCome) {
+  scenario_.limits.ends_when_recovered = true;
+  scenario_.limits.min_cycles_after_recovery = 1.0;
+  const auto ends = [&](std::size_t payloads, decision::ReflexMethod method, const RunEvent& noticed) {
+    scenario_.sim.payloads.resize(payloads);
+    scenario_.firmware.reflex.method = method;
+    Judge fresh(scenario_);
+    sim_hw::GroundTruth truth;
+    for (double time_s = 0.0; time_s < 30.0; time_s += kPeriod_s) {
+      output_.tick = static_cast<std::uint32_t>(std::lround((time_s + kTimeZero_s) / kPeriod_s));
+      std::vector<RunEvent> events;
+      if (time_s == 1.0) events = {kAttached, noticed};
+      if (time_s == 1.0) truth.payloads_hung = 1;
+      fresh.observe(output_, truth, events);
+    }
+    return fresh.is_over();
+  };
+  const RunEvent nothing{event_t::RESTED, "rested", 0.0};
+  EXPECT_TRUE(ends(1, decision::ReflexMethod::kOriginal, kDetected));
+  EXPECT_FALSE(ends(1, decision::ReflexMethod::kOriginal, nothing));
+  EXPECT_FALSE(ends(1, decision::ReflexMethod::kOff, kSeen));
+  EXPECT_FALSE(ends(2, decision::ReflexMethod::kOriginal, kDetected));
+  scenario_.sim.faults.resize(1);
+  EXPECT_FALSE(ends(1, decision::ReflexMethod::kOriginal, kDetected));
 }
 
 TEST_F(JudgeTest, CountsNoCyclesWhileTheRobotStillRecovers) {
@@ -330,6 +309,24 @@ TEST_F(JudgeTest, CountsTicksOutOfReachAndKeepsTheLastThreshold) {
   see(0.5);
   EXPECT_EQ(verdict().unreachable_ticks, 4);
   EXPECT_EQ(verdict().threshold_n, 41.5);
+}
+
+// The margin of a loaded walk, or of standing in the reflex, says nothing about false alarms.
+TEST_F(JudgeTest, KeepsTheMarginToTheThresholdOfTheScoredUnloadedWalk) {
+  const auto see_margin = [&](double time_s, double margin_n, const std::vector<RunEvent>& events = {}) {
+    output_.decision.threshold_n = 806.0;
+    output_.estimate.filtered_force_n = 806.0 - margin_n;
+    see(time_s, events);
+  };
+  see_margin(-1.0, 1.0);
+  see_margin(0.0, 20.0);
+  see_margin(0.5, 4.0);
+  output_.decision.phase = decision::ReflexPhase::kSettling;
+  see_margin(1.0, 2.0);
+  output_.decision.phase = decision::ReflexPhase::kWalking;
+  see_margin(1.5, -3.0, {kAttached});
+  EXPECT_DOUBLE_EQ(verdict().unloaded_margin_n.min, 4.0);
+  EXPECT_DOUBLE_EQ(verdict().unloaded_margin_n.max, 20.0);
 }
 
 }  // namespace

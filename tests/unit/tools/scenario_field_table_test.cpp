@@ -14,17 +14,19 @@
 namespace surefoot::scenario {
 namespace {
 
-/// A scenario, a load and a fault, with every key of theirs.
+/// A scenario, a load, a push and a fault, with every key of theirs.
 struct Everything {
   [[nodiscard]] std::vector<Field> all_fields() {
     std::vector<Field> all = fields(scenario);
     for (const Field& field : fields(payload)) all.push_back(field);
+    for (const Field& field : fields(push)) all.push_back(field);
     for (const Field& field : fields(fault)) all.push_back(field);
     return all;
   }
 
   Scenario scenario;
   sim_hw::PayloadConfig payload;
+  sim_hw::PushConfig push;
   sim_hw::FaultConfig fault;
 };
 
@@ -84,6 +86,8 @@ TEST(ScenarioFields, ListOfKeysAndEffectiveScenarioShowEachKey) {
     EXPECT_THAT(text, testing::HasSubstr(fmt::format("\n{} = ", field.key.substr(field.key.find('.') + 1))));
   }
   EXPECT_THAT(list, testing::HasSubstr("  payload.N.mass_kg "));
+  EXPECT_THAT(list, testing::HasSubstr("  payload.N.removed_at_s "));
+  EXPECT_THAT(list, testing::HasSubstr("  push.N.force_n "));
   EXPECT_THAT(list, testing::HasSubstr("  fault.N.kind "));
 }
 
@@ -147,17 +151,24 @@ TEST(ScenarioFields, EveryMemberOfTheConfigurationHasAKey) {
   coverage.add(scenario.robot);
   coverage.add(scenario.plant);
   coverage.add(scenario.sim.payloads);
+  coverage.add(scenario.sim.pushes);
   coverage.add(scenario.sim.faults);
-  coverage.add(scenario.sim.geometry);                    // share_numbers
-  coverage.add(scenario.sim.control_period_s);            // share_numbers
-  coverage.add(scenario.firmware.servo.torque_limit_nm);  // share_numbers
-  coverage.add(scenario.sim.time_zero_s);                 // the runner's
+  coverage.add(scenario.sim.geometry);                      // share_numbers
+  coverage.add(scenario.sim.control_period_s);              // share_numbers
+  coverage.add(scenario.firmware.servo.torque_limit_nm);    // share_numbers
+  coverage.add(scenario.sim.time_zero_s);                   // the runner's
+  coverage.add(scenario.firmware.reflex.capture.geometry);  // the controller copies its own
   EXPECT_LT(coverage.longest_gap(), 8U);
 
   sim_hw::PayloadConfig payload;
   Coverage payload_coverage(payload);
   for (const Field& field : fields(payload)) payload_coverage.add(field);
   EXPECT_LT(payload_coverage.longest_gap(), 8U);
+
+  sim_hw::PushConfig push;
+  Coverage push_coverage(push);
+  for (const Field& field : fields(push)) push_coverage.add(field);
+  EXPECT_LT(push_coverage.longest_gap(), 8U);
 
   sim_hw::FaultConfig fault;
   Coverage fault_coverage(fault);
@@ -185,8 +196,9 @@ TEST(ScenarioFields, KeysOfATableStandInTheOrderOfTheirMembers) {
     EXPECT_TRUE(!same_table || std::less<>{}(address_of(table[i - 1]), address_of(table[i]))) << table[i].key;
   }
   sim_hw::PayloadConfig payload;
+  sim_hw::PushConfig push;
   sim_hw::FaultConfig fault;
-  for (const std::vector<Field>& element : {fields(payload), fields(fault)}) {
+  for (const std::vector<Field>& element : {fields(payload), fields(push), fields(fault)}) {
     for (std::size_t i = 1; i < element.size(); ++i) {
       EXPECT_TRUE(std::less<>{}(address_of(element[i - 1]), address_of(element[i]))) << element[i].key;
     }
