@@ -20,7 +20,10 @@ def test_the_command_for_people_lists_every_subcommand_and_exit_code():
         assert re.search(rf"\b{code} \w", finished.stdout.split("Exit codes:")[1]), code
 
 
-@pytest.mark.parametrize("subcommand", ["run", "replay", "bus", "keys", "states", "doctor"])
+@pytest.mark.parametrize("subcommand", [
+    "run", "sweep", "sweep-rows", "table", "triggers", "map", "replay", "bus", "keys", "states", "doctor",
+    "bench", "calibrate"
+])  # fmt: skip
 def test_every_subcommand_explains_itself(subcommand: str):
     finished = surefoot(subcommand, "--help")
     assert finished.returncode == 0 and finished.stderr == b""

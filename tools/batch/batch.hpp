@@ -31,11 +31,19 @@ struct Progress {
   double remaining_wall_s = 0.0;  ///< 0 until it can be estimated
 };
 
+/// Runs trials: gives the `journal.hpp` line of each to `take` as soon as it has ended, from any thread.
+///
+/// @param missing  the trials to run
+/// @return false when it was stopped before all of them were given
+using Executor = std::function<bool(const std::vector<std::size_t>& missing,
+                                    const std::function<void(const std::string& line)>& take)>;
+
 struct BatchOptions {
   unsigned jobs = 0;                                 ///< threads; 0: one for each core
   std::filesystem::path journal;                     ///< finished trials, kept for a resumed batch; empty: none
   const std::atomic<bool>* stop = nullptr;           ///< set from outside: begun trials end, no further one begins
   std::function<void(const Progress&)> on_progress;  ///< called from worker threads, one at a time
+  Executor executor;                                 ///< empty: the threads of this process
 };
 
 /// The batch was stopped before its last trial; what the journal holds stays valid.
@@ -45,11 +53,12 @@ struct Interrupted {
 };
 
 /// Verdicts in the order of the trials. Same batch, same verdicts, whatever the number of threads; those
-/// fields of a verdict that tell of wall time or of a recording are left empty.
+/// fields of a verdict that tell of wall time or of a recording are left empty, and so is `bus`
+/// (`verdict_line.cpp` lists what is kept).
 ///
 /// All scenarios are loaded and checked before the first one runs.
-/// @throws scenario::ScenarioError with the trial's overrides, Interrupted, or what a journal that belongs to
-///         another batch calls for
+/// @throws scenario::ScenarioError with the trial's overrides, or for a journal of another batch or build;
+///         run::RecordingFailure where the journal cannot be written; Interrupted
 [[nodiscard]] std::vector<run::Verdict> run_batch(const Batch&, const BatchOptions&);
 
 }  // namespace surefoot::batch

@@ -46,14 +46,21 @@ int main(int argc, char** argv) {
       "65 bad input, 69 something the machine lacks (disk, permission, multicast route), 70 a bug, 130 interrupted.");
   ExitCode result = ExitCode::kBug;
   surefoot::cli::add_run(app, result);
+  surefoot::cli::add_table(app, result);
+  surefoot::cli::add_triggers(app, result);
+  surefoot::cli::add_map(app, result);
   surefoot::cli::add_faults(app, result);
   surefoot::cli::add_firmware(app, result);
   surefoot::cli::add_sim(app, result);
+  surefoot::cli::add_sweep(app, result);
+  surefoot::cli::add_sweep_rows(app, result);
   surefoot::cli::add_replay(app, result);
   surefoot::cli::add_keys(app, result);
   surefoot::cli::add_states(app, result);
   surefoot::cli::add_bus(app, result);
   surefoot::cli::add_doctor(app, result);
+  surefoot::cli::add_bench(app, result);
+  surefoot::cli::add_calibrate(app, result);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

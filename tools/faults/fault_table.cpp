@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <atomic>
-#include <exception>
 #include <mutex>
 #include <nlohmann/json.hpp>
-#include <thread>
+
+#include "tools/batch/parallel_for.hpp"
 
 namespace surefoot::faults {
 namespace {
@@ -36,31 +34,15 @@ std::vector<FaultRow> try_all(const scenario::Scenario& scenario, const std::vec
   std::vector<FaultRow> rows;
   for (const CatalogueEntry& entry : entries) rows.push_back({entry, {}});
   const std::size_t all = rows.size() * kSituations.size();
-  std::atomic<std::size_t> next{0};
   std::size_t done = 0;
-  std::exception_ptr failure;
   std::mutex mutex;
-  const auto work = [&] {
-    for (std::size_t trial = next++; trial < all; trial = next++) {
-      FaultRow& row = rows[trial / kSituations.size()];
-      const std::size_t situation = trial % kSituations.size();
-      try {
-        row.result[situation] = try_fault(scenario, kSituations[situation], row.entry.fault);
-      } catch (...) {
-        const std::scoped_lock lock(mutex);
-        failure = std::current_exception();
-        next = all;
-        return;
-      }
-      const std::scoped_lock lock(mutex);
-      on_progress(++done, all);
-    }
-  };
-  {
-    std::vector<std::jthread> threads;
-    for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i) threads.emplace_back(work);
-  }
-  if (failure) std::rethrow_exception(failure);
+  batch::parallel_for(all, {}, [&](std::size_t trial) {
+    FaultRow& row = rows[trial / kSituations.size()];
+    const std::size_t situation = trial % kSituations.size();
+    row.result[situation] = try_fault(scenario, kSituations[situation], row.entry.fault);
+    const std::scoped_lock lock(mutex);
+    on_progress(++done, all);
+  });
   return rows;
 }
 

@@ -1,0 +1,108 @@
+"""Pictures of tables, studies and maps, from results that are made up."""
+
+import io
+import json
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+
+from tools.plots import look
+from tools.plots.results import survival_map, survival_table
+from tools.plots.results.__main__ import FIGURES, main
+
+TIMES_S, MASSES_KG = [0.1, 0.2, 0.3], [5.0, 15.0]
+PLANT = {"method": "original", "plant": "thesis"}
+GRID = {"load_times_s": TIMES_S, "masses_kg": MASSES_KG}
+
+
+def _cells(survives: str, reference: str) -> list[dict]:
+    loads = [(time_s, mass_kg) for time_s in TIMES_S for mass_kg in MASSES_KG]
+    return [
+        {
+            "load_time_s": time_s,
+            "mass_kg": mass_kg,
+            "survives": here == "+",
+            "outcome": {"+": "walked", "f": "fell", "l": "limit"}[here],
+            "reference": None if there == "-" else there == "+",
+        }
+        for (time_s, mass_kg), here, there in zip(loads, survives, reference)
+    ]
+
+
+TABLE = {
+    "picture": "table", **PLANT, **GRID, "survive": 4, "of": 6,
+    "reference": {"name": "paper", "survive": 3, "printed": 4, "differ": 2},
+    "cells": _cells("++f+l+", "++++--"),
+}  # fmt: skip
+AXES = {
+    "columns": {"title": "load at, s", "labels": ["0.3", "0.9"]},
+    "rows": {"title": "load, kg", "labels": ["5.0", "10.0", "15.0"]},
+    "repeats": {"title": "", "labels": [""]},
+}
+RESULTS = {
+    "table": TABLE,
+    "table alone": {**TABLE, "reference": None, "cells": _cells("++f+f+", "------")},
+    "random loads": {"picture": "random_loads", **PLANT, "seed": 1, "survive": 4, "of": 6, "cells": TABLE["cells"]},
+    "band": {
+        "picture": "band", **PLANT, "frictions": [0.1, 0.2], "toes_m": [0.12, 0.13], "of": 6,
+        "counts": [{"survive": count} for count in (1, 2, 3, 6)],
+    },
+    "delays": {
+        "picture": "trigger_delays", **PLANT, **GRID, "longest_delay_s": 1.0,
+        "delays": [{"delay_s": delay_s} for delay_s in (0.05, 0.03, None, 0.02, 0.06, 0.04)],
+        "thesis": [{"load_time_s": 0.2, "mass_kg": 5.0, "delay_s": 0.0625}],
+    },
+    "delays, none seen": {
+        "picture": "trigger_delays", **PLANT, **GRID, "longest_delay_s": 1.0, "thesis": [],
+        "delays": [{"delay_s": None}] * 6,
+    },
+    "alarms": {"picture": "false_alarms", **PLANT, "cycles": 20, "false_alarms": 0, "run_margins_n": [2.5, 2.6, 3.0]},
+    "map": {
+        "picture": "map", "title": "a map", "plant": "thesis", **AXES, "of_each_cell": 2, "of_each_method": 12,
+        "methods": [
+            {"method": "off", "survive": 3, "cells": [[2, 1], [0, 0], [0, 0]]},
+            {"method": "capture", "survive": 12, "cells": [[2, 2], [2, 2], [2, 2]]},
+        ],
+    },
+}  # fmt: skip
+
+
+def test_every_kind_of_picture_is_tried():
+    assert {result["picture"] for result in RESULTS.values()} == set(FIGURES)
+
+
+@pytest.mark.parametrize("name", RESULTS)
+def test_a_result_becomes_a_picture(name: str, tmp_path: Path, monkeypatch):
+    monkeypatch.setattr("sys.stdin", io.StringIO(json.dumps(RESULTS[name])))
+    assert main([str(tmp_path / "picture.png")]) == 0
+    assert (tmp_path / "picture.png").read_bytes().startswith(b"\x89PNG\r\n\x1a\n")
+    plt.close("all")
+
+
+def test_cells_that_differ_from_the_reference_carry_a_cross_and_no_others():
+    look.apply()
+    figure = survival_table.figure(TABLE)
+    (crosses,) = figure.axes[0].collections
+    assert sorted(map(tuple, crosses.get_offsets().tolist())) == [(1.0, 0.0)]  # 5 kg at 0.2 s
+    drawn = np.asarray(figure.axes[0].images[0].get_array())
+    plt.close(figure)
+    assert drawn.tolist() == [[3, 1, 2], [3, 3, 3]]  # loads upwards, instants to the right
+
+
+def test_the_methods_of_a_map_share_one_scale_and_carry_their_counts():
+    look.apply()
+    figure = survival_map.figure(RESULTS["map"])
+    panels = figure.axes[:2]
+    assert {axis.images[0].get_clim() for axis in panels} == {(0.0, 1.0)}
+    assert ["3 of 12" in panels[0].get_title(), "12 of 12" in panels[1].get_title()] == [True, True]
+    assert np.asarray(panels[0].images[0].get_array()).tolist() == [[1.0, 0.5], [0.0, 0.0], [0.0, 0.0]]
+    plt.close(figure)
+
+
+def test_a_picture_that_cannot_be_written_is_said(tmp_path: Path, monkeypatch, capsys):
+    monkeypatch.setattr("sys.stdin", io.StringIO(json.dumps(RESULTS["band"])))
+    assert main([str(tmp_path / "nowhere" / "picture.png")]) == 69
+    assert "plot:" in capsys.readouterr().err
+    plt.close("all")
