@@ -113,11 +113,17 @@ void Journal::merge(const std::filesystem::path& part, FinishedTrials& finished)
 }
 
 void Journal::write(const std::string& text) {
+  const off_t begin = ::lseek(descriptor_, 0, SEEK_END);
   for (std::size_t done = 0; done < text.size();) {
     const ssize_t size = ::write(descriptor_, text.data() + done, text.size() - done);
     if (size < 0 && errno == EINTR) continue;
-    if (size < 0) fail(file_, "written", "free disk space, then repeat the command: finished trials are kept");
-    done += static_cast<std::size_t>(size);
+    if (size >= 0) {
+      done += static_cast<std::size_t>(size);
+      continue;
+    }
+    // Half a line must not stand before those that others may still add.
+    static_cast<void>(::ftruncate(descriptor_, begin));
+    fail(file_, "written", "free disk space, then repeat the command: finished trials are kept");
   }
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -14,6 +15,7 @@
 #include "tools/cli/bus_options.hpp"
 #include "tools/cli/picture.hpp"
 #include "tools/map/map_spec.hpp"
+#include "tools/run/run_folder.hpp"
 #include "tools/table/grid.hpp"
 #include "tools/table/reference.hpp"
 
@@ -102,6 +104,12 @@ void BatchSession::forget() noexcept {
 
 void deliver(const Output& output, const BatchArguments& arguments) {
   fmt::print("{}", arguments.is_json ? output.json() : arguments.is_csv ? output.csv() : output.text());
+  // What was worked out is forgotten next: it must have arrived.
+  if (std::fflush(stdout) != 0) {
+    throw run::RecordingFailure(
+        "standard output: cannot be written\n  remedy: free disk space, or send the output elsewhere; the same command "
+        "goes on from what is finished");
+  }
   if (!arguments.png.empty()) draw_picture(output.json(), arguments.png);
 }
 

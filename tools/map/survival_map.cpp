@@ -6,11 +6,14 @@
 #include <numeric>
 #include <string_view>
 
+#include "tools/map/map_spec.hpp"
 #include "tools/scenario/scenario.hpp"
 #include "tools/table/experiment.hpp"
 
 namespace surefoot::map {
 namespace {
+
+constexpr std::size_t kMostRuns = 1'000'000;
 
 /// Labels of one run, to stand for {column}, {row} and {repeat}.
 struct Labels {
@@ -72,6 +75,12 @@ std::size_t SurvivalMap::total(std::size_t method) const {
 }
 
 batch::Batch map_batch(const MapSpec& spec, const batch::Batch& base) {
+  const std::size_t runs =
+      spec.methods.size() * spec.rows.values.size() * spec.columns.values.size() * spec.repeats.values.size();
+  if (runs > kMostRuns) {
+    throw BadSpec(
+        fmt::format("{}: {} runs are more than {}\n  remedy: fewer values in its axes", spec.title, runs, kMostRuns));
+  }
   batch::Batch batch = base;
   for (const std::string& method : spec.methods) {
     for (const AxisValue& row : spec.rows.values) {

@@ -104,8 +104,9 @@ void Judge::take(const RunEvent& event, double time_s) noexcept {
       disturbed_until_s_ = time_s;
       break;
     case event_t::PAYLOAD_DETECTED:
+    case event_t::BALANCE_LOST:  // answers a load as well, should it be felt sooner than weighed
     case event_t::PAYLOAD_SEEN:
-      count_detection(event.code == event_t::PAYLOAD_DETECTED, time_s);
+      count_detection(event.code != event_t::PAYLOAD_SEEN, time_s);
       break;
     default:
       break;

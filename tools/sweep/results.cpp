@@ -18,13 +18,13 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// First and last instant at which a payload was noticed.
+/// First and last instant at which a payload, or what it does to the balance, was noticed.
 run::Range detections_s(const run::Verdict& verdict) {
   run::Range range;
   for (const run::TimedEvent& event : verdict.events) {
-    const bool is_detection =
-        std::strcmp(event.name, "payload_detected") == 0 || std::strcmp(event.name, "payload_seen") == 0;
-    if (is_detection) range.include(event.time_s);
+    for (const char* const name : {"payload_detected", "payload_seen", "balance_lost"}) {
+      if (std::strcmp(event.name, name) == 0) range.include(event.time_s);
+    }
   }
   return range;
 }

@@ -17,6 +17,11 @@
 namespace surefoot::sweep {
 namespace {
 
+/// Also of integers that a double rounds, which toml++ gives no double for.
+double number_of(const toml::node& node) {
+  return node.is_integer() ? static_cast<double>(node.as_integer()->get()) : node.as_floating_point()->get();
+}
+
 constexpr std::array<std::string_view, 7> kKeys{"scenario", "draws", "draw_seed", "set", "grid", "list", "random"};
 
 /// A key with what stands behind it.
@@ -161,8 +166,8 @@ class Reader {
     RandomKey random{leaf.key,
                      place_of(leaf.node->source()),
                      is_integer,
-                     *min->value<double>(),
-                     *max->value<double>(),
+                     number_of(*min),
+                     number_of(*max),
                      is_integer ? min->as_integer()->get() : 0,
                      is_integer ? max->as_integer()->get() : 0};
     if (!std::isfinite(random.max - random.min)) return refuse("needs finite numbers for min and max");

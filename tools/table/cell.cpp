@@ -29,7 +29,8 @@ Fall fall_of(const run::Verdict& verdict, double load_at_s) {
   decision::ReflexPhase phase = decision::ReflexPhase::kStanding;
   for (const run::TimedEvent& event : verdict.events) {
     const std::string_view event_name = event.name;
-    if (event_name == decision::name(decision::ReflexEvent::kPayloadDetected)) {
+    if (event_name == decision::name(decision::ReflexEvent::kPayloadDetected) ||
+        event_name == decision::name(decision::ReflexEvent::kBalanceLost)) {
       fall.after_trigger_s = verdict.ended_at_s - event.time_s;
     }
     for (const decision::ReflexEvent moved : decision::kReflexEvents) {

@@ -7,11 +7,11 @@ namespace surefoot::table {
 batch::Batch batch_of(const Experiment& experiment) {
   batch::Batch batch;
   batch.scenario_file = experiment.scenario_file;
-  batch.common = experiment.overrides;
+  batch.common = {"limits.max_abs_pitch_deg=0", "limits.max_abs_roll_deg=0", "limits.min_cycles_after_recovery=2",
+                  "limits.ends_when_recovered=true"};
+  batch.common.insert(batch.common.end(), experiment.overrides.begin(), experiment.overrides.end());
   if (!experiment.plant.empty()) batch.common.push_back("plant=" + experiment.plant);
   batch.common.push_back("reflex.method=" + experiment.method);
-  batch.common.insert(batch.common.end(), {"limits.max_abs_pitch_deg=0", "limits.max_abs_roll_deg=0",
-                                           "limits.min_cycles_after_recovery=2", "limits.ends_when_recovered=true"});
   return batch;
 }
 
@@ -26,7 +26,11 @@ double seconds_to_judge(const scenario::Scenario& scenario) {
   const double detection_s = walk.cycle_s();
   const double restoring_s = 0.25 * walk.cycle_s();  // (3.24), (3.25) with factor 0
   const double resting_s = 0.5 * reflex.settling_s;
-  return detection_s + reflex.reflex_s + reflex.settling_s + reflex.shift_s + restoring_s + resting_s +
+  const bool is_gentle = reflex.method == decision::ReflexMethod::kCapture;
+  const double longest_shift_m = reflex.max_shift_m + reflex.capture.max_step_m;
+  const double shift_s =
+      is_gentle ? decision::gentle_shift_s(reflex.capture, longest_shift_m, reflex.shift_s) : reflex.shift_s;
+  return detection_s + reflex.reflex_s + reflex.settling_s + shift_s + restoring_s + resting_s +
          scenario.limits.min_cycles_after_recovery * walk.cycle_s();
 }
 

@@ -11,6 +11,7 @@ namespace surefoot::table {
 namespace {
 
 constexpr std::size_t kMostValues = 10'000;
+constexpr std::size_t kMostLoads = 1'000'000;
 
 double parse_number(std::string_view text) {
   double value = 0.0;
@@ -72,6 +73,10 @@ Bounds parse_bounds(const std::string& text) {
 }
 
 std::vector<Load> loads_of(const Grid& grid) {
+  if (grid.times_s.size() * grid.masses_kg.size() > kMostLoads) {
+    throw BadList(fmt::format("{} loads at {} instants are more than {} runs", grid.masses_kg.size(),
+                              grid.times_s.size(), kMostLoads));
+  }
   std::vector<Load> loads;
   for (const double time_s : grid.times_s) {
     for (const double mass_kg : grid.masses_kg) loads.push_back({mass_kg, time_s});

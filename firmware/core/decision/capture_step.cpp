@@ -48,12 +48,13 @@ CaptureStep plan_capture(const gait::WalkParameters& walk, const CaptureConfig& 
       capture_point_after_m(config, com_m + speed_m_s / pendulum_rate_per_s(config) - standing_x_m, duration_s);
 
   CaptureStep step;
-  step.capture_point_x_body_m = standing_x_m + capture_m;
+  const bool is_known = std::isfinite(capture_m);
+  step.capture_point_x_body_m = standing_x_m + (is_known ? capture_m : 0.0);
   step.end = gait::stance(walk, {0.0, 0.0});
   const double braked_x_m = standing_x_m - 0.5 * speed_m_s * duration_s;
   const double sole_middle_m = 0.5 * (config.geometry.sole_toe_m - config.geometry.sole_heel_m);
   const double wanted_m = capture_m - sole_middle_m;  // of the foremost foot, from the standing one
-  if ((is_right_up || is_left_up) && wanted_m > std::max(0.0, ahead_m)) {
+  if (is_known && (is_right_up || is_left_up) && wanted_m > std::max(0.0, ahead_m)) {
     const double leg_m = farthest_x_m(walk, config, swing, step.end[index(swing)]) - braked_x_m - ahead_m;
     step.step_m = std::max(0.0, std::min({wanted_m - ahead_m, config.max_step_m, leg_m}));
   }

@@ -51,7 +51,7 @@ struct CaptureStep {
 /// A load at the back moves the other way: then nothing is added. With both feet down, both stay.
 ///
 /// The standing foot is braked evenly: v T / 2 of way in the duration T. Feet cannot collide, for they end 2 w_of
-/// apart. Non-finite input gives a finite step of length zero.
+/// apart. A centre of mass that is no number gives a step of length zero; the feet must be finite.
 ///
 /// @param duration_s  until touch-down, > 0
 [[nodiscard]] CaptureStep plan_capture(const gait::WalkParameters&, const CaptureConfig&, const CaptureState&,

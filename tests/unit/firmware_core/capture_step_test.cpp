@@ -127,7 +127,8 @@ TEST(CaptureStep, IsFiniteWhateverItIsTold) {
       (is_com ? state.com_x_body_m : state.tilt_rate_rise_rad_s) = bad;
       const CaptureStep step = plan_capture(kWalk, {}, state, kReflex_s);
       EXPECT_GE(step.step_m, 0.0);
-      EXPECT_LE(step.step_m, CaptureConfig{}.max_step_m);
+      EXPECT_LE(step.step_m, is_com && !std::isfinite(bad) ? 0.0 : CaptureConfig{}.max_step_m);
+      EXPECT_TRUE(std::isfinite(step.capture_point_x_body_m));
       for (const FootPath& foot : step.end) EXPECT_TRUE(foot.position_body_m.allFinite());
     }
   }

@@ -11,6 +11,7 @@ namespace {
 
 using testing::expect_outcome;
 using testing::kAttached;
+using testing::kBalanceLost;
 using testing::kDetected;
 using testing::kPeriod_s;
 using testing::kPushBegins;
@@ -36,6 +37,17 @@ TEST_F(JudgeOfDisturbances, PutsATriggerDownToAPushWhileItActsAndForAStepAfterIt
   EXPECT_EQ(verdict().outcome, Outcome::kWalked) << verdict().reason;
   see(5.5, {kDetected});
   EXPECT_EQ(verdict().false_alarms, 1) << "too late for the push";
+  EXPECT_EQ(verdict().outcome, Outcome::kLimit);
+}
+
+TEST_F(JudgeOfDisturbances, CountsLostBalanceAsTheAnswerToALoadAndWithoutOneAsAFalseAlarm) {
+  scenario_.sim.payloads.resize(1);
+  see(1.0, {kAttached});
+  see(1.125, {kBalanceLost});
+  EXPECT_EQ(verdict().payloads_detected, 1);
+  EXPECT_EQ(verdict().false_alarms, 0);
+  see(9.0, {kBalanceLost});
+  EXPECT_EQ(verdict().false_alarms, 1);
   EXPECT_EQ(verdict().outcome, Outcome::kLimit);
 }
 

@@ -20,6 +20,7 @@ inline constexpr double kTimeZero_s = 8.0;
 
 inline const RunEvent kAttached{event_t::PAYLOAD_ATTACHED, "payload_attached", 5.0};
 inline const RunEvent kDetected{event_t::PAYLOAD_DETECTED, "payload_detected", 0.0};
+inline const RunEvent kBalanceLost{event_t::BALANCE_LOST, "balance_lost", 0.0};
 inline const RunEvent kRemoved{event_t::PAYLOAD_REMOVED, "payload_removed", 5.0};
 inline const RunEvent kPushBegins{event_t::PUSH_BEGINS, "push_begins", 0.0};
 inline const RunEvent kPushEnds{event_t::PUSH_ENDS, "push_ends", 0.0};
