@@ -23,7 +23,7 @@ inline std::string refusal_of(const std::string& text, const std::vector<std::st
 
 /// The scenarios that ship with the project.
 inline std::filesystem::path scenario_folder() {
-  return std::filesystem::path(__FILE__).parent_path() / "../../../tools/scenarios";
+  return SUREFOOT_SCENARIO_FOLDER;  // __FILE__ may be relative, as with a base_dir of ccache
 }
 
 /// A file that belongs to the running test alone.
