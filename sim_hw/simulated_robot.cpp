@@ -18,7 +18,6 @@
 namespace surefoot::sim_hw {
 namespace {
 
-constexpr std::size_t kBatchFrames = 16;
 constexpr std::uint32_t kNoTick = 0xFFFF'FFFFU;     // of a marker before tick 0: nobody's SYNC is meant
 constexpr std::int64_t kFreeRunningSlackTicks = 5;  // a SYNC that was late, and one that is early
 
@@ -293,14 +292,11 @@ std::unique_ptr<SimulatedRobot> SimulatedRobot::branch(const SimConfig& config) 
 }
 
 void SimulatedRobot::serve(can::CanBus& bus) noexcept {
-  std::array<can::CanFrame, kBatchFrames> batch;
   const std::int64_t periods_before = parts_->periods;
-  std::size_t count = 0;
-  do {
-    count = bus.receive(batch);
-    for (std::size_t i = 0; i < count; ++i) parts_->serve(batch[i], bus);
-    // A master in another process may have answered meanwhile: one period a call, so that none goes unseen.
-  } while (count == batch.size() && parts_->periods == periods_before);
+  can::CanFrame frame;
+  // One by one: a master that goes on without its answers ends a period in the middle of what waits on the bus, and no
+  // period may go unseen.
+  while (parts_->periods == periods_before && bus.receive({&frame, 1}) == 1) parts_->serve(frame, bus);
 }
 
 void SimulatedRobot::advance_to(double world_time_s, can::CanBus& bus) noexcept {

@@ -116,6 +116,25 @@ TEST(SimulatedRobot, WaitsForBothTorqueFrames) {
   EXPECT_NEAR(held.robot.truth().time_s, 1.0e-3, 1e-12);
 }
 
+// As a client's last tick and its goodbye reach a slow simulator: all at once.
+TEST(SimulatedRobot, ShowsEachPeriodOfAMasterThatDoesNotWaitForItsAnswers) {
+  HeldRobot held({});
+  held.stand(0.01);
+  auto& waiting = held.puppeteer.wire.to_robot;
+  const std::int64_t before = held.robot.periods();
+  for (std::uint8_t i = 0; i < 2; ++i) {
+    ++held.puppeteer.tick;
+    waiting.push_back(can::encode_sync({.tick = held.puppeteer.tick, .counter = static_cast<std::uint8_t>(10 + i)}));
+    for (const Side side : kSides) waiting.push_back(held.puppeteer.command_frame(side, {LegMode::kDamp, {}}));
+  }
+  held.robot.serve(held.puppeteer.wire);
+  EXPECT_EQ(held.robot.periods(), before + 1);
+  EXPECT_EQ(held.robot.truth_tick(), held.puppeteer.tick - 1);
+  held.robot.serve(held.puppeteer.wire);
+  EXPECT_EQ(held.robot.periods(), before + 2);
+  EXPECT_EQ(held.robot.truth_tick(), held.puppeteer.tick);
+}
+
 TEST(SimulatedRobot, KeepsTheControllersCountWhenFramesAreLost) {
   HeldRobot held({});
   held.stand(0.01);
