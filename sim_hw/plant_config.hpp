@@ -26,9 +26,16 @@ struct MassConfig {
 /// Geared joint drives. The rotor's inertia behind the gear is what keeps stiff sampled joints stable.
 struct DriveConfig {
   double rotor_inertia_kg_m2 = 0.4;              ///< reflected to the joint
+  LegVector rotor_share{1, 1, 1, 1, 1, 1};       ///< of `rotor_inertia_kg_m2`, joint by joint
   double hip_knee_friction_nm_s_per_rad = 10.0;  ///< viscous
   double ankle_friction_nm_s_per_rad = 20.0;     ///< viscous
   double torque_limit_nm = 200.0;
+  /// Of the leg boards' position servo: torque = kp (reference - angle) + kd (its rate - rate).
+  LegVector servo_stiffness_nm_per_rad{3000, 17000, 8000, 8000, 2000, 2000};
+  LegVector servo_damping_nm_s_per_rad{30, 180, 80, 80, 60, 60};
+  /// Spring between the hip roll motor and the leg, 0: rigid. The encoder sits at the motor.
+  double hip_roll_stiffness_nm_per_rad = 0.0;
+  double hip_roll_damping_nm_s_per_rad = 2.0;  ///< of that spring
 };
 
 /// What carries the robot.
@@ -53,6 +60,37 @@ struct ContactConfig {
   double tangential_damping_n_s_per_m = 1500.0;
 };
 
+/// What a rough floor is made of, on top of the plane that `ContactConfig` tilts. All of it in the plane's frame.
+enum class PatchKind : std::uint8_t {
+  kPlate,     ///< raises the floor by `height_m`; also a step, where it is long
+  kRamp,      ///< rises from 0 at its near edge (least x) to `height_m` at its far one
+  kFriction,  ///< only its friction differs
+};
+
+/// A rectangle of floor.
+struct PatchConfig {
+  PatchKind kind = PatchKind::kPlate;
+  std::array<double, 2> centre_m{1.0, 0.0};
+  std::array<double, 2> size_m{0.12, 0.12};
+  double height_m = 0.004;
+  double friction = -1.0;  ///< below 0: that of the floor
+};
+
+/// Most patches on one floor.
+inline constexpr std::size_t kMaxPatches = 64;
+
+/// The floor's surface. Tiles: squares whose heights are drawn from 0 to `tile_height_m`, by `tile_seed`.
+struct TerrainConfig {
+  double tile_height_m = 0.0;  ///< 0: no tiles
+  double tile_edge_m = 0.03;
+  std::uint64_t tile_seed = 1;
+  /// Scattered plates of `plate_edge_m`: so many on each square metre of the walk's corridor, placed by `tile_seed`.
+  double plates_per_m2 = 0.0;
+  double plate_height_m = 0.004;
+  double plate_edge_m = 0.12;
+  std::vector<PatchConfig> patches{};  ///< at most `kMaxPatches`; where several lie, the highest counts
+};
+
 /// Sensors of the nodes: resolution, noise (standard deviation) and range, in physical units.
 struct SensorConfig {
   double encoder_resolution_rad = 1.0e-5;
@@ -62,6 +100,11 @@ struct SensorConfig {
   double force_noise_n = 0.0;
   double gyro_noise_rad_s = 0.0;
   double accelerometer_noise_m_s2 = 0.0;
+  /// Legs and feet carry inertial sensors and send their frames.
+  bool has_inertial_legs = false;
+  double hip_gyro_range_rad_s = 1.745;           ///< 100 deg/s (Kim, Park, Oh 2007, Table 2)
+  double inclinometer_range_rad = 0.262;         ///< 15 degrees
+  double foot_accelerometer_range_m_s2 = 19.62;  ///< 2 g
 };
 
 /// How the trunk's inertia follows a payload.
@@ -111,6 +154,7 @@ struct SimConfig {
   MassConfig mass{};
   DriveConfig drive{};
   ContactConfig contact{};
+  TerrainConfig terrain{};
   SensorConfig sensor{};
   std::vector<PayloadConfig> payloads{};
   std::vector<PushConfig> pushes{};   ///< at most `kMaxPushes`

@@ -40,6 +40,21 @@ struct ImuSensors {
   Freshness freshness;
 };
 
+/// What the inertial sensors of one leg report; a robot without them leaves this as it is, never heard.
+struct LegInertialSensors {
+  double hip_roll_rate_rad_s = 0.0;  ///< gyro behind the hip roll joint: how fast the leg leans, about x
+  Freshness freshness;
+};
+
+/// What the inertial sensors in one foot report, foot frame.
+struct FootInertialSensors {
+  double roll_rad = 0.0;  ///< inclinometer: of the sole against the vertical, signs as torso angles
+  double pitch_rad = 0.0;
+  double specific_force_x_foot_m_s2 = 0.0;  ///< accelerometer at the ankle's projection on the sole
+  double specific_force_y_foot_m_s2 = 0.0;
+  Freshness freshness;
+};
+
 /// Everything the controller may know of the robot in one tick. Each value has passed the
 /// end-to-end check and the physical range check; a node that did not answer keeps its last
 /// values and ages.
@@ -48,6 +63,8 @@ struct SensorSnapshot {
   PerSide<LegSensors> leg{};
   PerSide<FootSensors> foot{};
   ImuSensors torso{};
+  PerSide<LegInertialSensors> leg_inertial{};
+  PerSide<FootInertialSensors> foot_inertial{};
 };
 
 }  // namespace surefoot
