@@ -9,6 +9,7 @@
 
 #include "firmware/can/messages.hpp"
 #include "firmware/host/realtime/monotonic_clock.hpp"
+#include "firmware/host/realtime/silence_watch.hpp"
 #include "firmware/host/recorded_bus.hpp"
 #include "firmware/host/run_recorder.hpp"
 #include "tools/run/bus_report_json.hpp"
@@ -117,12 +118,14 @@ class Appearance {
     if (robot_.wire_tick() == heard_tick_) return;
     heard_tick_ = robot_.wire_tick();
     last_heard_ns_ = now_ns;
+    silence_.restart(now_ns);
   }
 
   void meet_master(std::int64_t now_ns) {
     had_master_ = true;
     first_sync_ns_ = now_ns;
     last_heard_ns_ = now_ns;
+    silence_.restart(now_ns);
     say(fmt::format("a master drives the robot from its tick {} on", robot_.first_tick()));
   }
 
@@ -147,7 +150,7 @@ class Appearance {
     }
     if (is_lockstep()) {
       // At once, before this robot announces itself: the next master shall not begin with a robot that lies.
-      if (now_ns - last_heard_ns_ <= silence_ns_) return;
+      if (silence_.look(now_ns) <= silence_ns_) return;
       is_over_ = true;
       return tell_silence("the world stands still");
     }
@@ -208,6 +211,7 @@ class Appearance {
   host::RecordedBus bus_;
   sim_hw::SimulatedRobot robot_;
   EventWatch events_{};
+  host::SilenceWatch silence_{2 * kAnnouncePeriod_ns};
   std::int64_t recorded_periods_ = 0;
   std::int64_t announce_due_ns_ = 0;
   std::int64_t first_sync_ns_ = 0;

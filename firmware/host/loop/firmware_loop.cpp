@@ -4,6 +4,7 @@
 #include <array>
 
 #include "firmware/host/realtime/monotonic_clock.hpp"
+#include "firmware/host/realtime/silence_watch.hpp"
 
 namespace surefoot::host {
 namespace {
@@ -89,11 +90,14 @@ class Loop {
   /// @return false when the robot did not answer in time
   [[nodiscard]] bool await_answers(can::CanBus& bus, std::int64_t sent_ns) noexcept {
     const std::int64_t patience_ns = is_silent_ ? config_.silent_period_ns : config_.silence_ns;
+    SilenceWatch silence(2 * kStopCheck_ns);
+    silence.restart(sent_ns);
     while (!node_.collect(bus)) {
       const std::int64_t now_ns = MonotonicClock::now_ns();
-      is_silent_ = now_ns - sent_ns >= patience_ns;
+      const std::int64_t silent_ns = silence.look(now_ns);
+      is_silent_ = silent_ns >= patience_ns;
       if (is_silent_ || stop_.load(std::memory_order_relaxed)) return false;
-      static_cast<void>(bus_.wait_readable(std::min(now_ns + kStopCheck_ns, sent_ns + patience_ns)));
+      static_cast<void>(bus_.wait_readable(now_ns + std::min(kStopCheck_ns, patience_ns - silent_ns)));
     }
     is_silent_ = false;
     return true;
