@@ -42,10 +42,13 @@ class RecordedTick final : public can::CanBus {
   std::size_t taken = 0;
 };
 
+bool is_command(const can::CanFrame& frame, can::Node leg) {
+  return frame.identifier == can::command_identifier(leg) || frame.identifier == can::position_identifier(leg);
+}
+
 bool is_from_controller(const can::CanFrame& frame) {
-  return frame.identifier == can::kSyncIdentifier ||
-         frame.identifier == can::command_identifier(can::Node::kLegRight) ||
-         frame.identifier == can::command_identifier(can::Node::kLegLeft) ||
+  return frame.identifier == can::kSyncIdentifier || is_command(frame, can::Node::kLegRight) ||
+         is_command(frame, can::Node::kLegLeft) ||
          frame.identifier == can::heartbeat_identifier(can::Node::kController) ||
          frame.identifier == can::emergency_identifier(can::Node::kController);
 }
@@ -101,17 +104,17 @@ class Replay {
       end_stretch();
       is_in_tick_ = true;
       logged_tick_ = stamp.tick;
-    } else if (has_torques_ && frame.identifier == can::heartbeat_identifier(can::Node::kController)) {
+    } else if (has_commands_ && frame.identifier == can::heartbeat_identifier(can::Node::kController)) {
       end_stretch();  // announced after the torques, not after SYNC: the firmware has started anew
       firmware_ = host::FirmwareNode(config_);
     }
     (is_from_controller(frame) ? stretch_.from_controller : stretch_.from_nodes).push_back(frame);
-    has_torques_ = has_torques_ || frame.identifier == can::command_identifier(can::Node::kLegLeft);
+    has_commands_ = has_commands_ || is_command(frame, can::Node::kLegLeft);
   }
 
   [[nodiscard]] ReplayResult finish() {
-    result_.ends_in_mid_tick = is_in_tick_ && !has_torques_;
-    if (has_torques_) end_stretch();
+    result_.ends_in_mid_tick = is_in_tick_ && !has_commands_;
+    if (has_commands_) end_stretch();
     return result_;
   }
 
@@ -124,7 +127,7 @@ class Replay {
     }
     stretch_.clear();
     is_in_tick_ = false;
-    has_torques_ = false;
+    has_commands_ = false;
   }
 
   const ControllerConfig& config_;
@@ -133,7 +136,7 @@ class Replay {
   ReplayResult result_;
   std::uint32_t logged_tick_ = 0;
   bool is_in_tick_ = false;
-  bool has_torques_ = false;
+  bool has_commands_ = false;
 };
 
 void require_file(const std::filesystem::path& path) {

@@ -16,8 +16,10 @@ struct RobotServiceOptions {
   sim_hw::WorldClock clock = sim_hw::WorldClock::kLockstep;
   std::filesystem::path folder;  ///< truth and bus log of the first master, of later ones in master_2, ...; empty: none
   bool is_live = false;          ///< also publish the truth over LCM
-  bool ends_with_master = false;            ///< end when the first master is gone, or the robot has fallen
-  double silence_s = 1.0;                   ///< lockstep: a master that sends nothing for so long is gone
+  bool ends_with_master = false;  ///< end when the first master is gone, or the robot has fallen
+  /// Lockstep: a master that sends nothing for so long is gone. Twice the firmware's own patience for an answer, in
+  /// which it sends nothing either.
+  double silence_s = 2.0;
   double lie_s = 3.0;                       ///< free running: what a robot without a master gets to sink down
   const std::atomic<bool>* stop = nullptr;  ///< set from outside to end the service
   std::function<void(const std::string&)> on_message;  ///< what a person wants to hear of; between frames
