@@ -17,6 +17,11 @@ constexpr double kMinLinkKg = 0.1;
 constexpr double kMaxPhysicsStepS = 2.0e-3;
 constexpr double kMaxSlopeDeg = 15.0;
 constexpr double kLongestPushS = 3600.0;
+constexpr double kMaxSpringPhaseRad = 1.0;  // of the rotor's swing in one step; symplectic Euler is unstable from 2 on
+constexpr double kHighestTileM = 0.05;
+constexpr double kHighestPatchM = 0.3;
+constexpr double kSmallestPlateM = 0.005;
+constexpr double kFarthestPatchM = 1000.0;
 
 /// Written so that NaN fails.
 void require(bool holds, std::string_view field, double value, std::string_view expected, std::string_view remedy) {
@@ -90,6 +95,68 @@ void check_drives_and_sensors(const DriveConfig& drive, const SensorConfig& sens
   require_not_negative("sensor.force_noise_n", sensor.force_noise_n);
   require_not_negative("sensor.gyro_noise_rad_s", sensor.gyro_noise_rad_s);
   require_not_negative("sensor.accelerometer_noise_m_s2", sensor.accelerometer_noise_m_s2);
+  require_not_negative("sensor.hip_gyro_noise_rad_s", sensor.hip_gyro_noise_rad_s);
+  require_not_negative("sensor.inclinometer_noise_rad", sensor.inclinometer_noise_rad);
+  require_not_negative("sensor.foot_accelerometer_noise_m_s2", sensor.foot_accelerometer_noise_m_s2);
+}
+
+void check_servo(const DriveConfig& drive) {
+  for (std::size_t joint = 0; joint < kJointsPerLeg; ++joint) {
+    require_not_negative("drive.rotor_share", drive.rotor_share[joint]);
+    require_not_negative("drive.servo_stiffness_nm_per_rad", drive.servo_stiffness_nm_per_rad[joint]);
+    require_not_negative("drive.servo_damping_nm_s_per_rad", drive.servo_damping_nm_s_per_rad[joint]);
+  }
+}
+
+void check_hip_spring(const DriveConfig& drive, double step_s) {
+  const double stiffness = drive.hip_roll_stiffness_nm_per_rad;
+  require_not_negative("drive.hip_roll_stiffness_nm_per_rad", stiffness);
+  require_not_negative("drive.hip_roll_damping_nm_s_per_rad", drive.hip_roll_damping_nm_s_per_rad);
+  const double rotor_kg_m2 = drive.rotor_share[index(LegJoint::kHipRoll)] * drive.rotor_inertia_kg_m2;
+  const double stiffest = kMaxSpringPhaseRad * kMaxSpringPhaseRad * rotor_kg_m2 / (step_s * step_s);
+  require(stiffness <= stiffest, "drive.hip_roll_stiffness_nm_per_rad", stiffness,
+          fmt::format("at most {:.4g}, for its rotor of {:.4g} kg m2 and a physics step of {} s", stiffest, rotor_kg_m2,
+                      step_s),
+          "use 0 for a rigid hip, lower it, or raise the rotor's inertia or its share at the hip roll");
+}
+
+void check_inertial_sensors(const SensorConfig& sensor) {
+  require_positive("sensor.hip_gyro_range_rad_s", sensor.hip_gyro_range_rad_s);
+  require_positive("sensor.inclinometer_range_rad", sensor.inclinometer_range_rad);
+  require_positive("sensor.foot_accelerometer_range_m_s2", sensor.foot_accelerometer_range_m_s2);
+}
+
+void check_patch(const PatchConfig& patch) {
+  for (const double place : patch.centre_m) {
+    require(std::abs(place) <= kFarthestPatchM, "patch.centre_m", place, "-1000 to 1000 m", "give metres on the floor");
+  }
+  for (const double size : patch.size_m) {
+    require(size >= kSmallestPlateM && size <= kFarthestPatchM, "patch.size_m", size, "0.005 to 1000 m",
+            "give the lengths of its edges in metres");
+  }
+  require(patch.height_m >= 0.0 && patch.height_m <= kHighestPatchM, "patch.height_m", patch.height_m, "0 to 0.3 m",
+          "give metres above the floor; a hole is a floor that is higher around it");
+  require(patch.friction >= -1.0 && std::isfinite(patch.friction), "patch.friction", patch.friction,
+          "0 or more, or -1 for that of the floor", "give a coefficient of friction");
+}
+
+void check_terrain(const TerrainConfig& terrain) {
+  require(terrain.tile_height_m >= 0.0 && terrain.tile_height_m <= kHighestTileM, "floor.tile_height_m",
+          terrain.tile_height_m, "0 to 0.05 m", "use 0 for no tiles, 0.004 for a rough floor");
+  require(terrain.plate_height_m >= 0.0 && terrain.plate_height_m <= kHighestTileM, "floor.plate_height_m",
+          terrain.plate_height_m, "0 to 0.05 m", "use 0.004");
+  for (const auto& [field, edge_m] :
+       {std::pair{"floor.tile_edge_m", terrain.tile_edge_m}, {"floor.plate_edge_m", terrain.plate_edge_m}}) {
+    require(edge_m >= kSmallestPlateM && edge_m <= 1.0, field, edge_m, "0.005 to 1 m", "give the edge in metres");
+  }
+  require(terrain.plates_per_m2 >= 0.0 && terrain.plates_per_m2 * terrain.plate_edge_m * terrain.plate_edge_m <= 1.0,
+          "floor.plates_per_m2", terrain.plates_per_m2,
+          fmt::format("0 to {:.4g}, one on each square of their own size",
+                      1.0 / (terrain.plate_edge_m * terrain.plate_edge_m)),
+          "scatter fewer or smaller plates");
+  require(terrain.patches.size() <= kMaxPatches, "patch count", static_cast<double>(terrain.patches.size()),
+          "at most 64", "remove some of the patches");
+  for (const PatchConfig& patch : terrain.patches) check_patch(patch);
 }
 
 void check_bus(const BusConfig& bus) {
@@ -101,13 +168,19 @@ void check_bus(const BusConfig& bus) {
   require_not_negative("bus.compute_s", bus.compute_s);
 }
 
-void check_faults(const std::vector<FaultConfig>& faults) {
+void check_faults(const std::vector<FaultConfig>& faults, bool has_inertial_legs) {
   require(faults.size() <= kMaxFaults, "fault count", static_cast<double>(faults.size()), "at most 16",
           "remove some of the faults");
   for (std::size_t i = 0; i < faults.size(); ++i) {
     if (const auto problem = find_problem(faults[i])) {
       throw std::invalid_argument(
           fmt::format("fault[{}].{} {}\n  remedy: {}", i, problem->field, problem->statement, problem->remedy));
+    }
+    if (is_of_inertial_legs(faults[i].signal) && !has_inertial_legs) {
+      throw std::invalid_argument(
+          fmt::format("fault[{}].signal is not measured by a robot without inertial legs\n"
+                      "  remedy: set sensor.has_inertial_legs to true, or remove the fault",
+                      i));
     }
   }
 }
@@ -155,8 +228,12 @@ void check(const SimConfig& config) {
   check_geometry(config.geometry);
   check_masses(config.mass);
   check_drives_and_sensors(config.drive, config.sensor);
+  check_servo(config.drive);
+  check_hip_spring(config.drive, config.physics_step_s);
+  check_inertial_sensors(config.sensor);
   check_contact(config.contact);
-  check_faults(config.faults);
+  check_terrain(config.terrain);
+  check_faults(config.faults, config.sensor.has_inertial_legs);
   check_bus(config.bus);
   check_slope(config.contact);
   check_payloads(config.payloads);

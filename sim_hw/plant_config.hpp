@@ -73,7 +73,7 @@ struct PatchConfig {
   std::array<double, 2> centre_m{1.0, 0.0};
   std::array<double, 2> size_m{0.12, 0.12};
   double height_m = 0.004;
-  double friction = -1.0;  ///< below 0: that of the floor
+  double friction = -1.0;  ///< below 0: that of what lies below
 };
 
 /// Most patches on one floor.
@@ -84,11 +84,14 @@ struct TerrainConfig {
   double tile_height_m = 0.0;  ///< 0: no tiles
   double tile_edge_m = 0.03;
   std::uint64_t tile_seed = 1;
-  /// Scattered plates of `plate_edge_m`: so many on each square metre of the walk's corridor, placed by `tile_seed`.
+  /// Scattered square plates of `plate_edge_m`, placed by `tile_seed`: so many on each square metre, at most one on
+  /// each square of their own size.
   double plates_per_m2 = 0.0;
   double plate_height_m = 0.004;
   double plate_edge_m = 0.12;
-  std::vector<PatchConfig> patches{};  ///< at most `kMaxPatches`; where several lie, the highest counts
+  /// At most `kMaxPatches`. They lie on the tiles; where several lie, the highest carries, and the friction is that of
+  /// the last in the list that has one.
+  std::vector<PatchConfig> patches{};
 };
 
 /// Sensors of the nodes: resolution, noise (standard deviation) and range, in physical units.
@@ -105,6 +108,9 @@ struct SensorConfig {
   double hip_gyro_range_rad_s = 1.745;           ///< 100 deg/s (Kim, Park, Oh 2007, Table 2)
   double inclinometer_range_rad = 0.262;         ///< 15 degrees
   double foot_accelerometer_range_m_s2 = 19.62;  ///< 2 g
+  double hip_gyro_noise_rad_s = 0.0;
+  double inclinometer_noise_rad = 0.0;
+  double foot_accelerometer_noise_m_s2 = 0.0;
 };
 
 /// How the trunk's inertia follows a payload.

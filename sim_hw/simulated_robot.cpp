@@ -44,8 +44,9 @@ struct SimulatedRobot::Parts {
         watchdog_steps(std::llround(config.watchdog_s / config.physics_step_s)),
         world(config, initial_angle_rad),
         disturbances(config),
-        recorder(world, -config.time_zero_s),
+        recorder(world, -config.time_zero_s, config.sensor.has_inertial_legs),
         nodes(config),
+        answers(config.sensor.has_inertial_legs),
         schedule(config.faults, config.control_period_s) {
     if (!schedule.is_empty()) line = make_line();
   }
@@ -129,7 +130,10 @@ struct SimulatedRobot::Parts {
       verdict = can::decode_emergency(frame, stamp, emergency);  // for people with candump; no node acts on it
     } else {
       for (const Side side : kSides) {
-        if (frame.identifier == can::command_identifier(can::leg_node(side))) verdict = take_command(side, frame);
+        const can::Node node = can::leg_node(side);
+        const bool is_addressee =
+            frame.identifier == can::command_identifier(node) || frame.identifier == can::position_identifier(node);
+        if (is_addressee) verdict = take_command(side, frame);
       }
     }
     if (verdict == can::Rejection::kNone) {
@@ -162,10 +166,11 @@ struct SimulatedRobot::Parts {
     if (!line || clock == WorldClock::kFreeRunning) answers.begin_tick(stamp.tick);
     if (clock == WorldClock::kLockstep) update_power();  // free running: at the begin of a period, as the line does
 
-    const SensedState sensed{.angle_rad = world.robot().angles_rad(),
-                             .rate_rad_s = world.robot().rates_rad_s(),
+    const SensedState sensed{.angle_rad = world.motor_angles_rad(),
+                             .rate_rad_s = world.motor_rates_rad_s(),
                              .corner_force_n = recorder.truth().corner_force_n,
-                             .torso = recorder.torso()};
+                             .torso = recorder.torso(),
+                             .leg_inertial = recorder.leg_inertial()};
     nodes.on_sync(
         stamp.tick, sensed, [this](can::Node node) { return hears(node); }, outbox);
     return can::Rejection::kNone;
@@ -217,11 +222,13 @@ struct SimulatedRobot::Parts {
     if (steps_in_period == 0) update_power();
     if (master.is_present()) disturbances.begin_due(time_s(), world);
     disturbances.push(world);
-    const PerSide<LegVector> rate_rad_s = world.robot().rates_rad_s();
+    const PerSide<LegVector> angle_rad = world.motor_angles_rad();
+    const PerSide<LegVector> rate_rad_s = world.motor_rates_rad_s();
     PerSide<LegVector> torque_nm{};
     for (const Side side : kSides) {
       if (unpowered.has(can::leg_node(side))) continue;
-      torque_nm[index(side)] = nodes.leg[index(side)].begin_step(rate_rad_s[index(side)], outbox);
+      const std::size_t i = index(side);
+      torque_nm[i] = nodes.leg[i].begin_step(angle_rad[i], rate_rad_s[i], outbox);
     }
     world.advance(torque_nm, config.physics_step_s);
     recorder.add_step(world.loads());

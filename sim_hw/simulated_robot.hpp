@@ -18,7 +18,7 @@ struct NodeCounters {
   std::uint64_t refused_by_bus = 0;                             ///< the bus did not take them
   std::uint64_t received = 0;                                   ///< accepted
   std::array<std::uint64_t, can::kRejectionCauses> rejected{};  ///< by `can::Rejection`
-  std::uint64_t lost = 0;  ///< gaps in the rolling counters of SYNC and torque frames
+  std::uint64_t lost = 0;  ///< gaps in the rolling counters of SYNC and command frames
   FaultCounters faults;    ///< what the scenario's faults did to frames
 };
 
@@ -53,10 +53,10 @@ class SimulatedRobot {
   [[nodiscard]] std::unique_ptr<SimulatedRobot> branch(const SimConfig& config) const;
 
   /// Serves the bus once: takes the waiting frames, at most until a period has been simulated; answers SYNC with the
-  /// latched state of each node; takes torques. Does not allocate (with the contact model `kSpringDamper`).
+  /// latched state of each node; takes commands. Does not allocate (with the contact model `kSpringDamper`).
   ///
-  /// In lockstep it advances the world by one control period when both torque frames of the tick have
-  /// arrived. A tick whose torque frames or SYNC were lost is made up for at the next SYNC, so that the
+  /// In lockstep it advances the world by one control period when both command frames of the tick have
+  /// arrived. A tick whose command frames or SYNC were lost is made up for at the next SYNC, so that the
   /// world keeps the controller's count.
   void serve(can::CanBus& bus) noexcept;
 
@@ -78,7 +78,7 @@ class SimulatedRobot {
   /// Whether somebody drives this robot.
   [[nodiscard]] bool has_master() const noexcept;
 
-  /// Whether all five nodes' answers to the last SYNC went out to the bus, in its tick and unspoilt. False
+  /// Whether all answers of the five nodes to the last SYNC went out to the bus, in its tick and unspoilt. False
   /// as well while a fault keeps SYNC from the robot.
   [[nodiscard]] bool has_answered_fully() const noexcept;
 

@@ -14,14 +14,15 @@ std::array<double, 3> to_array(const geometry::Vector3& v) noexcept { return {v.
 
 }  // namespace
 
-TruthRecorder::TruthRecorder(const World& world, double time_s) noexcept
-    : initial_height_m_(world.robot().body_position_world_m().z()) {
+TruthRecorder::TruthRecorder(const World& world, double time_s, bool has_inertial_legs) noexcept
+    : has_inertial_legs_(has_inertial_legs), initial_height_m_(world.robot().body_position_world_m().z()) {
   truth_.time_s = time_s;
   read_pose(world);
   add_step(world.loads());
   read_forces(world.robot(), 1);
   // The robot starts upright on the floor and at rest. A difference from zero, so that no component reads -0.
   torso_.specific_force_body_m_s2 = geometry::Vector3::Zero() - world.robot().gravity_world_m_s2();
+  if (has_inertial_legs_) read_legs(world.robot(), 1.0);  // at rest, whatever the period
 }
 
 void TruthRecorder::add_step(const PerSide<SoleLoad>& loads) noexcept {
@@ -52,6 +53,27 @@ void TruthRecorder::close_period(const World& world, const PerSide<LegVector>& t
       robot.body_velocity_world_m_s() - geometry::Vector3(before[0], before[1], before[2]);
   torso_.specific_force_body_m_s2 =
       robot.rotation_world_from_body().transpose() * (velocity_change / period_s - robot.gravity_world_m_s2());
+  if (has_inertial_legs_) read_legs(robot, period_s);
+}
+
+void TruthRecorder::read_legs(const RobotModel& robot, double period_s) noexcept {
+  const auto motions = robot.motions();
+  const geometry::Vector3& gravity_world = robot.gravity_world_m_s2();
+  for (const Side side : kSides) {
+    LegInertialMotion& leg = leg_inertial_[index(side)];
+    const BodyMotion& hip = motions[static_cast<std::size_t>(RobotModel::link(side, LegJoint::kHipRoll))];
+    leg.hip_roll_rate_rad_s = (hip.rotation_world_from_body.transpose() * hip.angular_rad_s).x();
+
+    const BodyMotion sole = robot.foot_motion(side);
+    const geometry::Matrix3 foot_from_world = from_bullet(sole.rotation_world_from_body).transpose();
+    const geometry::Vector3 up_foot = foot_from_world * -gravity_world.normalized();
+    leg.sole_roll_rad = std::atan2(up_foot.y(), up_foot.z());
+    leg.sole_pitch_rad = -std::asin(std::clamp(up_foot.x(), -1.0, 1.0));
+    const geometry::Vector3 velocity_world = from_bullet(sole.velocity_m_s);
+    const geometry::Vector3 velocity_change = velocity_world - sole_velocity_world_m_s_[index(side)];
+    leg.specific_force_foot_m_s2 = foot_from_world * (velocity_change / period_s - gravity_world);
+    sole_velocity_world_m_s_[index(side)] = velocity_world;
+  }
 }
 
 void TruthRecorder::read_forces(const RobotModel& robot, int steps) noexcept {

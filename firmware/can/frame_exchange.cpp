@@ -38,7 +38,8 @@ void FrameExchange::begin_tick(CanBus& bus, std::uint32_t tick) noexcept {
   const bool has_missed_ticks = is_running_ && tick != tick_ + 1;
   tick_ = tick;
   snapshot_.tick = tick;
-  answered_.fill(false);
+  state_.has_come.fill(false);
+  inertial_.has_come.fill(false);
   is_served_ = false;
   is_running_ = true;
   was_other_master_heard_ = false;
@@ -51,15 +52,19 @@ void FrameExchange::begin_tick(CanBus& bus, std::uint32_t tick) noexcept {
 
 bool FrameExchange::collect(CanBus& bus) noexcept {
   take_waiting(bus);
-  return is_served_ || std::ranges::all_of(answered_, [](bool answered) { return answered; });
+  return is_served_ || (state_.are_complete() && inertial_.are_complete());
 }
 
 const SensorSnapshot& FrameExchange::finish_collecting() noexcept {
   for (const Side side : kSides) {
-    age(snapshot_.leg[index(side)].freshness, answered_[slot(leg_node(side))]);
-    age(snapshot_.foot[index(side)].freshness, answered_[slot(foot_node(side))]);
+    const std::size_t leg = slot(leg_node(side));
+    const std::size_t foot = slot(foot_node(side));
+    age(snapshot_.leg[index(side)].freshness, state_.has_come[leg]);
+    age(snapshot_.foot[index(side)].freshness, state_.has_come[foot]);
+    age(snapshot_.leg_inertial[index(side)].freshness, inertial_.has_come[leg]);
+    age(snapshot_.foot_inertial[index(side)].freshness, inertial_.has_come[foot]);
   }
-  age(snapshot_.torso.freshness, answered_[slot(Node::kTorsoImu)]);
+  age(snapshot_.torso.freshness, state_.has_come[slot(Node::kTorsoImu)]);
   return snapshot_;
 }
 
@@ -67,7 +72,8 @@ void FrameExchange::send_commands(CanBus& bus, const PerSide<LegCommand>& comman
   std::array<CanFrame, kSides.size()> frames;
   for (const Side side : kSides) {
     const std::size_t i = index(side);
-    frames[i] = encode_leg_command(side, {.tick = tick_, .counter = command_counter_[i]++}, command[i]);
+    auto& counter = command[i].mode == LegMode::kPosition ? position_counter_ : command_counter_;
+    frames[i] = encode_leg_command(side, {.tick = tick_, .counter = counter[i]++}, command[i]);
   }
   send(bus, frames);
 }
@@ -121,6 +127,8 @@ Rejection FrameExchange::judge(const CanFrame& frame) noexcept {
     switch (frame.identifier & kFunctionMask) {
       case state_identifier(Node{0}):
         return accept_state(node, frame);
+      case inertial_identifier(Node{0}):
+        return accept_inertial(node, frame);
       case heartbeat_identifier(Node{0}):
         return accept_heartbeat(node, frame);
       case emergency_identifier(Node{0}):
@@ -176,7 +184,7 @@ Rejection FrameExchange::accept_leg_state(Side side, const CanFrame& frame) noex
   LegSensors heard = snapshot_.leg[index(side)];
   LegStatus status;
   Rejection rejection = decode_leg_state(frame, stamp, heard, status);
-  if (rejection == Rejection::kNone) rejection = judge_state(leg_node(side), stamp);
+  if (rejection == Rejection::kNone) rejection = judge_answer(leg_node(side), stamp, state_);
   if (rejection != Rejection::kNone) return rejection;
   heard.is_damping = status.is_damping;
   snapshot_.leg[index(side)] = heard;
@@ -187,7 +195,7 @@ Rejection FrameExchange::accept_foot_force(Side side, const CanFrame& frame) noe
   FrameStamp stamp;
   FootSensors heard = snapshot_.foot[index(side)];
   Rejection rejection = decode_foot_force(frame, stamp, heard);
-  if (rejection == Rejection::kNone) rejection = judge_state(foot_node(side), stamp);
+  if (rejection == Rejection::kNone) rejection = judge_answer(foot_node(side), stamp, state_);
   if (rejection == Rejection::kNone) snapshot_.foot[index(side)] = heard;
   return rejection;
 }
@@ -196,8 +204,41 @@ Rejection FrameExchange::accept_imu(const CanFrame& frame) noexcept {
   FrameStamp stamp;
   ImuSensors heard = snapshot_.torso;
   Rejection rejection = decode_imu(frame, stamp, heard);
-  if (rejection == Rejection::kNone) rejection = judge_state(Node::kTorsoImu, stamp);
+  if (rejection == Rejection::kNone) rejection = judge_answer(Node::kTorsoImu, stamp, state_);
   if (rejection == Rejection::kNone) snapshot_.torso = heard;
+  return rejection;
+}
+
+Rejection FrameExchange::accept_inertial(Node node, const CanFrame& frame) noexcept {
+  switch (node) {
+    case Node::kLegRight:
+      return accept_leg_inertial(Side::kRight, frame);
+    case Node::kLegLeft:
+      return accept_leg_inertial(Side::kLeft, frame);
+    case Node::kFootRight:
+      return accept_foot_inertial(Side::kRight, frame);
+    case Node::kFootLeft:
+      return accept_foot_inertial(Side::kLeft, frame);
+    default:
+      return Rejection::kUnknownIdentifier;
+  }
+}
+
+Rejection FrameExchange::accept_leg_inertial(Side side, const CanFrame& frame) noexcept {
+  FrameStamp stamp;
+  LegInertialSensors heard = snapshot_.leg_inertial[index(side)];
+  Rejection rejection = decode_leg_inertial(frame, stamp, heard);
+  if (rejection == Rejection::kNone) rejection = judge_inertial(leg_node(side), stamp);
+  if (rejection == Rejection::kNone) snapshot_.leg_inertial[index(side)] = heard;
+  return rejection;
+}
+
+Rejection FrameExchange::accept_foot_inertial(Side side, const CanFrame& frame) noexcept {
+  FrameStamp stamp;
+  FootInertialSensors heard = snapshot_.foot_inertial[index(side)];
+  Rejection rejection = decode_foot_inertial(frame, stamp, heard);
+  if (rejection == Rejection::kNone) rejection = judge_inertial(foot_node(side), stamp);
+  if (rejection == Rejection::kNone) snapshot_.foot_inertial[index(side)] = heard;
   return rejection;
 }
 
@@ -211,9 +252,12 @@ Rejection FrameExchange::accept_heartbeat(Node node, const CanFrame& frame) noex
   rejection = judge_counter(heartbeat_watch_[slot(node)], stamp);
   if (rejection != Rejection::kNone) return rejection;
   if (roster_.on_heartbeat(node, heartbeat, tick_)) {
-    state_watch_[slot(node)].restart();
+    state_.watch[slot(node)].restart();
+    inertial_.watch[slot(node)].restart();
     emergency_watch_[slot(node)].restart();
+    inertial_.is_expected[slot(node)] = false;
   }
+  if (heartbeat.has_inertial_sensors && node != Node::kTorsoImu) inertial_.is_expected[slot(node)] = true;
   return roster_.status(node).is_foreign() ? Rejection::kForeignVersion : Rejection::kNone;
 }
 
@@ -226,13 +270,27 @@ Rejection FrameExchange::accept_emergency(Node node, const CanFrame& frame) noex
   return rejection;
 }
 
-Rejection FrameExchange::judge_state(Node node, FrameStamp stamp) noexcept {
+Rejection FrameExchange::judge_inertial(Node node, FrameStamp stamp) noexcept {
+  const Rejection rejection = judge_answer(node, stamp, inertial_);
+  if (rejection == Rejection::kNone) inertial_.is_expected[slot(node)] = true;
+  return rejection;
+}
+
+Rejection FrameExchange::judge_answer(Node node, FrameStamp stamp, Answers& answers) noexcept {
   if (roster_.status(node).is_foreign()) return Rejection::kForeignVersion;
   if (!is_running_ || stamp.tick != (tick_ & 0xFFFFU)) return Rejection::kLate;
-  if (answered_[slot(node)]) return Rejection::kRepeated;  // the first answer counts; a second is somebody else's
-  const Rejection rejection = judge_counter(state_watch_[slot(node)], stamp);
-  if (rejection == Rejection::kNone) answered_[slot(node)] = true;
+  bool& has_come = answers.has_come[slot(node)];
+  if (has_come) return Rejection::kRepeated;  // the first answer counts; a second is somebody else's
+  const Rejection rejection = judge_counter(answers.watch[slot(node)], stamp);
+  if (rejection == Rejection::kNone) has_come = true;
   return rejection;
+}
+
+bool FrameExchange::Answers::are_complete() const noexcept {
+  for (std::size_t node = 0; node < has_come.size(); ++node) {
+    if (is_expected[node] && !has_come[node]) return false;
+  }
+  return true;
 }
 
 Rejection FrameExchange::judge_counter(CounterWatch& watch, FrameStamp stamp) noexcept {

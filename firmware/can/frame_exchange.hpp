@@ -25,7 +25,7 @@ struct FrameCounters {
   std::uint64_t from_other_master = 0;  ///< of the unknown identifiers: sent by another controller that runs now
 };
 
-/// The controller's end of the CAN contract: SYNC out, node frames in, torques out.
+/// The controller's end of the CAN contract: SYNC out, node frames in, commands out.
 class FrameExchange {
  public:
   /// Before tick 0: sends the controller's heartbeat, as a rule pre-operational. To be called about ten times a
@@ -44,15 +44,16 @@ class FrameExchange {
 
   /// Takes what has arrived since, at most 256 frames a call so that a flooded bus cannot hold the
   /// tick; true once all five nodes have answered this tick's SYNC, or a simulated robot in lockstep says
-  /// that no more will. Identifiers that are the controller's own to send (SYNC, commands, its heartbeat)
-  /// count as unknown; `finding` tells a second master from a replay.
+  /// that no more will. Legs and feet with inertial sensors (their heartbeats say so, or such a frame of theirs has
+  /// come) have answered with both their frames. Identifiers that are the controller's own to send (SYNC, commands, its
+  /// heartbeat) count as unknown; `finding` tells a second master from a replay.
   [[nodiscard]] bool collect(CanBus& bus) noexcept;
 
   /// The snapshot of this tick; nodes that did not answer keep their last values, one tick older.
   /// Call once a tick, after the last `collect`.
   [[nodiscard]] const SensorSnapshot& finish_collecting() noexcept;
 
-  /// Sends torque(k) to both leg boards.
+  /// Sends command(k) to both leg boards: LEG_POSITION to one in mode `kPosition`, LEG_COMMAND otherwise.
   void send_commands(CanBus& bus, const PerSide<LegCommand>& command) noexcept;
 
   /// Tells the bus of a latched fault: the controller's emergency, code 0xFF00 and the fault's number.
@@ -71,6 +72,15 @@ class FrameExchange {
   [[nodiscard]] const FrameCounters& counters() const noexcept { return counters_; }
 
  private:
+  /// One kind of answer to SYNC, by `slot` of the node.
+  struct Answers {
+    std::array<CounterWatch, kSensorNodes.size()> watch{};
+    std::array<bool, kSensorNodes.size()> is_expected{};
+    std::array<bool, kSensorNodes.size()> has_come{};  ///< in this tick
+
+    [[nodiscard]] bool are_complete() const noexcept;
+  };
+
   static constexpr std::size_t kBatchFrames = 32;
   static constexpr std::size_t kMaxBatches = 8;
 
@@ -84,19 +94,23 @@ class FrameExchange {
   [[nodiscard]] Rejection accept_leg_state(Side side, const CanFrame& frame) noexcept;
   [[nodiscard]] Rejection accept_foot_force(Side side, const CanFrame& frame) noexcept;
   [[nodiscard]] Rejection accept_imu(const CanFrame& frame) noexcept;
+  [[nodiscard]] Rejection accept_inertial(Node node, const CanFrame& frame) noexcept;
+  [[nodiscard]] Rejection accept_leg_inertial(Side side, const CanFrame& frame) noexcept;
+  [[nodiscard]] Rejection accept_foot_inertial(Side side, const CanFrame& frame) noexcept;
   [[nodiscard]] Rejection accept_heartbeat(Node node, const CanFrame& frame) noexcept;
   [[nodiscard]] Rejection accept_emergency(Node node, const CanFrame& frame) noexcept;
   [[nodiscard]] Rejection accept_lockstep_served(const CanFrame& frame) noexcept;
-  [[nodiscard]] Rejection judge_state(Node node, FrameStamp stamp) noexcept;
+  [[nodiscard]] Rejection judge_inertial(Node node, FrameStamp stamp) noexcept;
+  [[nodiscard]] Rejection judge_answer(Node node, FrameStamp stamp, Answers& answers) noexcept;
   [[nodiscard]] Rejection judge_counter(CounterWatch& watch, FrameStamp stamp) noexcept;
 
   SensorSnapshot snapshot_{};
   FrameCounters counters_{};
   NodeRoster roster_{};
-  std::array<CounterWatch, kSensorNodes.size()> state_watch_{};  ///< by `slot` of the node; so are the next three
-  std::array<CounterWatch, kSensorNodes.size()> heartbeat_watch_{};
+  Answers state_{.watch = {}, .is_expected = {true, true, true, true, true}, .has_come = {}};
+  Answers inertial_{};
+  std::array<CounterWatch, kSensorNodes.size()> heartbeat_watch_{};  ///< by `slot` of the node; so is the next
   std::array<CounterWatch, kSensorNodes.size()> emergency_watch_{};
-  std::array<bool, kSensorNodes.size()> answered_{};
   CounterWatch served_watch_{};
   bool is_robot_in_lockstep_ = false;
   bool is_served_ = false;  ///< the simulated robot will not answer this tick any further
@@ -107,7 +121,8 @@ class FrameExchange {
   std::uint8_t sync_counter_ = 0;
   std::uint8_t heartbeat_counter_ = 0;
   std::uint8_t emergency_counter_ = 0;
-  PerSide<std::uint8_t> command_counter_{};
+  PerSide<std::uint8_t> command_counter_{};   ///< of LEG_COMMAND
+  PerSide<std::uint8_t> position_counter_{};  ///< of LEG_POSITION
 };
 
 }  // namespace surefoot::can

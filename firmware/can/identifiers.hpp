@@ -38,6 +38,14 @@ inline constexpr std::uint16_t kLockstepServedIdentifier = 0x7F0;
 [[nodiscard]] constexpr std::uint16_t command_identifier(Node node) noexcept {
   return static_cast<std::uint16_t>(0x200 + static_cast<std::uint16_t>(node));
 }
+/// Of the second state frame: inertial sensors of legs and feet, on a robot that has them.
+[[nodiscard]] constexpr std::uint16_t inertial_identifier(Node node) noexcept {
+  return static_cast<std::uint16_t>(0x280 + static_cast<std::uint16_t>(node));
+}
+/// Of the second command frame: angles in the place of torques.
+[[nodiscard]] constexpr std::uint16_t position_identifier(Node node) noexcept {
+  return static_cast<std::uint16_t>(0x300 + static_cast<std::uint16_t>(node));
+}
 [[nodiscard]] constexpr std::uint16_t heartbeat_identifier(Node node) noexcept {
   return static_cast<std::uint16_t>(0x700 + static_cast<std::uint16_t>(node));
 }
@@ -71,6 +79,8 @@ inline constexpr std::array kSensorNodes{Node::kLegRight, Node::kLegLeft, Node::
 [[nodiscard]] constexpr bool is_leg_board(Node node) noexcept {
   return node == Node::kLegRight || node == Node::kLegLeft;
 }
+
+[[nodiscard]] constexpr bool is_foot(Node node) noexcept { return node == Node::kFootRight || node == Node::kFootLeft; }
 
 [[nodiscard]] constexpr Node leg_node(Side side) noexcept {
   return side == Side::kRight ? Node::kLegRight : Node::kLegLeft;

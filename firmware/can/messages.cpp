@@ -15,9 +15,12 @@ namespace {
 using Sync = surefoot_sync_t;
 using LockstepServed = surefoot_lockstep_served_t;
 using LegCommandRaw = surefoot_leg_command_right_t;
+using LegPositionRaw = surefoot_leg_position_right_t;
 using LegStateRaw = surefoot_leg_state_right_t;
 using FootForceRaw = surefoot_foot_force_right_t;
 using ImuRaw = surefoot_imu_t;
+using LegInertialRaw = surefoot_leg_inertial_right_t;
+using FootInertialRaw = surefoot_foot_inertial_right_t;
 using HeartbeatRaw = surefoot_heartbeat_leg_right_t;
 using EmergencyRaw = surefoot_emergency_leg_right_t;
 
@@ -29,11 +32,20 @@ constexpr ProtectedMessage<LockstepServed> kLockstepServed{
     surefoot_lockstep_served_pack, surefoot_lockstep_served_unpack, SUREFOOT_LOCKSTEP_SERVED_LENGTH, kCrcFirst};
 constexpr ProtectedMessage<LegCommandRaw> kLegCommand{
     surefoot_leg_command_right_pack, surefoot_leg_command_right_unpack, SUREFOOT_LEG_COMMAND_RIGHT_LENGTH, kCrcFirst};
+constexpr ProtectedMessage<LegPositionRaw> kLegPosition{surefoot_leg_position_right_pack,
+                                                        surefoot_leg_position_right_unpack,
+                                                        SUREFOOT_LEG_POSITION_RIGHT_LENGTH, kCrcFirst};
 constexpr ProtectedMessage<LegStateRaw> kLegState{surefoot_leg_state_right_pack, surefoot_leg_state_right_unpack,
                                                   SUREFOOT_LEG_STATE_RIGHT_LENGTH, kCrcFirst};
 constexpr ProtectedMessage<FootForceRaw> kFootForce{surefoot_foot_force_right_pack, surefoot_foot_force_right_unpack,
                                                     SUREFOOT_FOOT_FORCE_RIGHT_LENGTH, kCrcFirst};
 constexpr ProtectedMessage<ImuRaw> kImu{surefoot_imu_pack, surefoot_imu_unpack, SUREFOOT_IMU_LENGTH, kCrcFirst};
+constexpr ProtectedMessage<LegInertialRaw> kLegInertial{surefoot_leg_inertial_right_pack,
+                                                        surefoot_leg_inertial_right_unpack,
+                                                        SUREFOOT_LEG_INERTIAL_RIGHT_LENGTH, kCrcFirst};
+constexpr ProtectedMessage<FootInertialRaw> kFootInertial{surefoot_foot_inertial_right_pack,
+                                                          surefoot_foot_inertial_right_unpack,
+                                                          SUREFOOT_FOOT_INERTIAL_RIGHT_LENGTH, kCrcFirst};
 constexpr ProtectedMessage<HeartbeatRaw> kHeartbeat{surefoot_heartbeat_leg_right_pack,
                                                     surefoot_heartbeat_leg_right_unpack,
                                                     SUREFOOT_HEARTBEAT_LEG_RIGHT_LENGTH, kCrcLast};
@@ -57,6 +69,7 @@ constexpr auto kStateAngle = SUREFOOT_JOINT_SIGNALS(leg_state_right, angle_rad);
 constexpr auto kStateRate = SUREFOOT_JOINT_SIGNALS(leg_state_right, rate_rad_s);
 constexpr auto kStateTorque = SUREFOOT_JOINT_SIGNALS(leg_state_right, torque_nm);
 constexpr auto kCommandTorque = SUREFOOT_JOINT_SIGNALS(leg_command_right, torque_nm);
+constexpr auto kCommandAngle = SUREFOOT_JOINT_SIGNALS(leg_position_right, angle_rad);
 constexpr std::array kCornerForce{
     SUREFOOT_SIGNAL(foot_force_right, front_left_force_n), SUREFOOT_SIGNAL(foot_force_right, front_right_force_n),
     SUREFOOT_SIGNAL(foot_force_right, rear_left_force_n), SUREFOOT_SIGNAL(foot_force_right, rear_right_force_n)};
@@ -66,6 +79,11 @@ constexpr std::array kAngularRate{SUREFOOT_SIGNAL(imu, angular_rate_x_body_rad_s
 constexpr std::array kSpecificForce{SUREFOOT_SIGNAL(imu, specific_force_x_body_m_s2),
                                     SUREFOOT_SIGNAL(imu, specific_force_y_body_m_s2),
                                     SUREFOOT_SIGNAL(imu, specific_force_z_body_m_s2)};
+constexpr std::array kHipRollRate{SUREFOOT_SIGNAL(leg_inertial_right, hip_roll_rate_rad_s)};
+constexpr std::array kSoleTilt{SUREFOOT_SIGNAL(foot_inertial_right, sole_roll_rad),
+                               SUREFOOT_SIGNAL(foot_inertial_right, sole_pitch_rad)};
+constexpr std::array kSoleForce{SUREFOOT_SIGNAL(foot_inertial_right, specific_force_x_foot_m_s2),
+                                SUREFOOT_SIGNAL(foot_inertial_right, specific_force_y_foot_m_s2)};
 
 #undef SUREFOOT_JOINT_SIGNALS
 #undef SUREFOOT_SIGNAL
@@ -84,6 +102,22 @@ bool is_identifier_of(const Nodes& nodes, std::uint16_t (*identifier_of)(Node), 
 constexpr std::array kLegs{Node::kLegRight, Node::kLegLeft};
 constexpr std::array kFeet{Node::kFootRight, Node::kFootLeft};
 
+CanFrame encode_leg_position(Side side, FrameStamp stamp, const LegVector& angle_rad) noexcept {
+  LegPositionRaw raw{};
+  put(kCommandAngle, kJointAngleRad, angle_rad, raw);
+  return kLegPosition.seal(position_identifier(leg_node(side)), stamp, raw);
+}
+
+Rejection decode_leg_position(const CanFrame& frame, FrameStamp& stamp, LegCommand& command) noexcept {
+  LegPositionRaw raw;
+  if (const Rejection rejection = kLegPosition.open(frame, raw); rejection != Rejection::kNone) return rejection;
+  if (!are_plausible(kCommandAngle, raw)) return Rejection::kImplausible;
+  stamp = stamp_of(raw);
+  command = {.mode = LegMode::kPosition};
+  take(kCommandAngle, raw, command.angle_rad);
+  return Rejection::kNone;
+}
+
 bool is_known(NodeState state) noexcept {
   return state == NodeState::kBootUp || state == NodeState::kStopped || state == NodeState::kOperational ||
          state == NodeState::kPreOperational;
@@ -94,6 +128,7 @@ bool is_known(NodeState state) noexcept {
 CanFrame encode_sync(FrameStamp stamp) noexcept { return kSync.seal(kSyncIdentifier, stamp, {}); }
 
 CanFrame encode_leg_command(Side side, FrameStamp stamp, const LegCommand& command) noexcept {
+  if (command.mode == LegMode::kPosition) return encode_leg_position(side, stamp, command.angle_rad);
   LegCommandRaw raw{};
   raw.mode = static_cast<std::uint8_t>(command.mode);
   put(kCommandTorque, kJointTorqueNm, command.torque_nm, raw);
@@ -124,10 +159,25 @@ CanFrame encode_imu(FrameStamp stamp, const ImuSensors& sensors) noexcept {
   return kImu.seal(state_identifier(Node::kTorsoImu), stamp, raw);
 }
 
+CanFrame encode_leg_inertial(Side side, FrameStamp stamp, const LegInertialSensors& sensors) noexcept {
+  LegInertialRaw raw{};
+  put(kHipRollRate, kAngularRateRadS, std::array{sensors.hip_roll_rate_rad_s}, raw);
+  return kLegInertial.seal(inertial_identifier(leg_node(side)), stamp, raw);
+}
+
+CanFrame encode_foot_inertial(Side side, FrameStamp stamp, const FootInertialSensors& sensors) noexcept {
+  FootInertialRaw raw{};
+  put(kSoleTilt, kSoleTiltRad, std::array{sensors.roll_rad, sensors.pitch_rad}, raw);
+  put(kSoleForce, kSpecificForceMS2, std::array{sensors.specific_force_x_foot_m_s2, sensors.specific_force_y_foot_m_s2},
+      raw);
+  return kFootInertial.seal(inertial_identifier(foot_node(side)), stamp, raw);
+}
+
 CanFrame encode_heartbeat(Node node, FrameStamp stamp, Heartbeat heartbeat) noexcept {
   HeartbeatRaw raw{};
   raw.nmt_state = static_cast<std::uint8_t>(heartbeat.state);
   raw.protocol_version = heartbeat.protocol_version;
+  raw.has_inertial_sensors = heartbeat.has_inertial_sensors ? 1 : 0;
   return kHeartbeat.seal(heartbeat_identifier(node), stamp, raw);
 }
 
@@ -151,6 +201,7 @@ Rejection decode_sync(const CanFrame& frame, FrameStamp& stamp) noexcept {
 }
 
 Rejection decode_leg_command(const CanFrame& frame, FrameStamp& stamp, LegCommand& command) noexcept {
+  if (is_identifier_of(kLegs, position_identifier, frame.identifier)) return decode_leg_position(frame, stamp, command);
   if (!is_identifier_of(kLegs, command_identifier, frame.identifier)) return Rejection::kUnknownIdentifier;
   LegCommandRaw raw;
   if (const Rejection rejection = kLegCommand.open(frame, raw); rejection != Rejection::kNone) return rejection;
@@ -158,7 +209,7 @@ Rejection decode_leg_command(const CanFrame& frame, FrameStamp& stamp, LegComman
     return Rejection::kImplausible;
   }
   stamp = stamp_of(raw);
-  command.mode = static_cast<LegMode>(raw.mode);
+  command = {.mode = static_cast<LegMode>(raw.mode)};
   take(kCommandTorque, raw, command.torque_nm);
   return Rejection::kNone;
 }
@@ -201,6 +252,33 @@ Rejection decode_imu(const CanFrame& frame, FrameStamp& stamp, ImuSensors& senso
   return Rejection::kNone;
 }
 
+Rejection decode_leg_inertial(const CanFrame& frame, FrameStamp& stamp, LegInertialSensors& sensors) noexcept {
+  if (!is_identifier_of(kLegs, inertial_identifier, frame.identifier)) return Rejection::kUnknownIdentifier;
+  LegInertialRaw raw;
+  if (const Rejection rejection = kLegInertial.open(frame, raw); rejection != Rejection::kNone) return rejection;
+  if (!are_plausible(kHipRollRate, raw)) return Rejection::kImplausible;
+  stamp = stamp_of(raw);
+  take(kHipRollRate, raw, std::span(&sensors.hip_roll_rate_rad_s, 1).first<1>());
+  return Rejection::kNone;
+}
+
+Rejection decode_foot_inertial(const CanFrame& frame, FrameStamp& stamp, FootInertialSensors& sensors) noexcept {
+  if (!is_identifier_of(kFeet, inertial_identifier, frame.identifier)) return Rejection::kUnknownIdentifier;
+  FootInertialRaw raw;
+  if (const Rejection rejection = kFootInertial.open(frame, raw); rejection != Rejection::kNone) return rejection;
+  if (!are_plausible(kSoleTilt, raw) || !are_plausible(kSoleForce, raw)) return Rejection::kImplausible;
+  stamp = stamp_of(raw);
+  std::array<double, 2> tilt_rad;
+  std::array<double, 2> force_m_s2;
+  take(kSoleTilt, raw, tilt_rad);
+  take(kSoleForce, raw, force_m_s2);
+  sensors.roll_rad = tilt_rad[0];
+  sensors.pitch_rad = tilt_rad[1];
+  sensors.specific_force_x_foot_m_s2 = force_m_s2[0];
+  sensors.specific_force_y_foot_m_s2 = force_m_s2[1];
+  return Rejection::kNone;
+}
+
 Rejection decode_heartbeat(const CanFrame& frame, FrameStamp& stamp, Heartbeat& heartbeat) noexcept {
   if (!is_identifier_of(kNodes, heartbeat_identifier, frame.identifier)) return Rejection::kUnknownIdentifier;
   HeartbeatRaw raw;
@@ -208,7 +286,8 @@ Rejection decode_heartbeat(const CanFrame& frame, FrameStamp& stamp, Heartbeat& 
   const auto state = static_cast<NodeState>(raw.nmt_state);
   if (!is_known(state)) return Rejection::kImplausible;
   stamp = stamp_of(raw);
-  heartbeat = {.state = state, .protocol_version = raw.protocol_version};
+  heartbeat = {
+      .state = state, .protocol_version = raw.protocol_version, .has_inertial_sensors = raw.has_inertial_sensors != 0};
   return Rejection::kNone;
 }
 

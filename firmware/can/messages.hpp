@@ -33,7 +33,7 @@ struct FrameStamp {
 
 /// Status bits of a leg board.
 struct LegStatus {
-  bool watchdog_expired = false;  ///< no torque frame in time: joints are damped
+  bool watchdog_expired = false;  ///< no command frame in time: joints are damped
   bool torque_limited = false;    ///< at least one motor is at its limit
   bool is_damping = false;
 };
@@ -48,6 +48,7 @@ inline constexpr std::uint8_t kProtocolVersion = 1;
 struct Heartbeat {
   NodeState state = NodeState::kBootUp;
   std::uint8_t protocol_version = kProtocolVersion;
+  bool has_inertial_sensors = false;  ///< a leg or foot that answers SYNC with its inertial frame too
 };
 
 /// CiA 301 emergency: code and error register.
@@ -60,10 +61,14 @@ struct Emergency {
 /// generated C code checks nothing). Each returns a frame with counter and CRC filled in.
 /// Cost: about 0.1 us for the largest frame. None allocates.
 [[nodiscard]] CanFrame encode_sync(FrameStamp) noexcept;
+/// The frame that carries this command: LEG_POSITION for `kPosition`, LEG_COMMAND for the other modes. Each of the
+/// two identifiers has a rolling counter of its own.
 [[nodiscard]] CanFrame encode_leg_command(Side, FrameStamp, const LegCommand&) noexcept;
 [[nodiscard]] CanFrame encode_leg_state(Side, FrameStamp, const LegSensors&, LegStatus) noexcept;
 [[nodiscard]] CanFrame encode_foot_force(Side, FrameStamp, const FootSensors&) noexcept;
 [[nodiscard]] CanFrame encode_imu(FrameStamp, const ImuSensors&) noexcept;
+[[nodiscard]] CanFrame encode_leg_inertial(Side, FrameStamp, const LegInertialSensors&) noexcept;
+[[nodiscard]] CanFrame encode_foot_inertial(Side, FrameStamp, const FootInertialSensors&) noexcept;
 [[nodiscard]] CanFrame encode_heartbeat(Node, FrameStamp, Heartbeat) noexcept;
 [[nodiscard]] CanFrame encode_emergency(Node, FrameStamp, Emergency) noexcept;
 [[nodiscard]] CanFrame encode_lockstep_served(FrameStamp) noexcept;
@@ -72,10 +77,13 @@ struct Emergency {
 /// untouched. Rolling counter and tick are the receiver's to judge (`CounterWatch`): they need memory.
 /// `Freshness` is left alone.
 [[nodiscard]] Rejection decode_sync(const CanFrame&, FrameStamp&) noexcept;
+/// LEG_COMMAND and LEG_POSITION; the members that the frame does not carry become 0.
 [[nodiscard]] Rejection decode_leg_command(const CanFrame&, FrameStamp&, LegCommand&) noexcept;
 [[nodiscard]] Rejection decode_leg_state(const CanFrame&, FrameStamp&, LegSensors&, LegStatus&) noexcept;
 [[nodiscard]] Rejection decode_foot_force(const CanFrame&, FrameStamp&, FootSensors&) noexcept;
 [[nodiscard]] Rejection decode_imu(const CanFrame&, FrameStamp&, ImuSensors&) noexcept;
+[[nodiscard]] Rejection decode_leg_inertial(const CanFrame&, FrameStamp&, LegInertialSensors&) noexcept;
+[[nodiscard]] Rejection decode_foot_inertial(const CanFrame&, FrameStamp&, FootInertialSensors&) noexcept;
 [[nodiscard]] Rejection decode_heartbeat(const CanFrame&, FrameStamp&, Heartbeat&) noexcept;
 [[nodiscard]] Rejection decode_emergency(const CanFrame&, FrameStamp&, Emergency&) noexcept;
 [[nodiscard]] Rejection decode_lockstep_served(const CanFrame&, FrameStamp&) noexcept;

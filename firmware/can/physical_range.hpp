@@ -23,5 +23,6 @@ inline constexpr PhysicalRange kJointTorqueNm{-300.0, 300.0};     ///< resolutio
 inline constexpr PhysicalRange kCornerForceN{-500.0, 3200.0};     ///< resolution 0.1 N
 inline constexpr PhysicalRange kAngularRateRadS{-16.0, 16.0};     ///< resolution 5e-4 rad/s
 inline constexpr PhysicalRange kSpecificForceMS2{-160.0, 160.0};  ///< 16 g, resolution 5e-3 m/s2
+inline constexpr PhysicalRange kSoleTiltRad{-1.6, 1.6};           ///< resolution 5e-5 rad
 
 }  // namespace surefoot::can

@@ -1,5 +1,7 @@
 #include "firmware/core/controller.hpp"
 
+#include <algorithm>
+
 #include "firmware/core/gait/motion_plan.hpp"
 #include "firmware/core/gait/stance.hpp"
 #include "firmware/core/kinematics/leg_kinematics.hpp"
@@ -16,34 +18,63 @@ bool is_moving(const decision::Decision& decision) noexcept {
   return decision.phase == ReflexPhase::kWalking || decision.time_in_phase_s < kTrembling_s;
 }
 
+/// The floor walk in the words of the sequence, for logs and verdicts.
+decision::Decision as_decision(const gait::WalkParameters& walk, const gait::FloorWalkState& state) noexcept {
+  using decision::ReflexPhase;
+  decision::Decision decision;
+  const bool stands = state.stage == decision::WalkStage::kStanding;
+  decision.phase = !stands ? ReflexPhase::kWalking : state.stops ? ReflexPhase::kStopped : ReflexPhase::kStanding;
+  decision.time_in_phase_s = state.time_in_stage_s;
+  if (!stands) {
+    decision.walk_phase_s =
+        std::clamp(state.step_time_s, 0.0, walk.step_s()) + (state.moving == Side::kRight ? walk.step_s() : 0.0);
+  }
+  return decision;
+}
+
 }  // namespace
 
 Controller::Controller(const ControllerConfig& config) noexcept
-    : config_(config),
-      standing_(kinematics::inverse(config.geometry, gait::stance(config.walk, {config.walk.reference_x_body_m,
-                                                                                config.walk.reference_x_body_m}))) {
+    : config_(config), standing_(standing_reference(config)) {
   config_.reflex.capture.geometry = config.geometry;
 }
 
 TickOutput Controller::tick(const SensorSnapshot& sensors, safety::Finding reported) noexcept {
   const double period_s = config_.period_s;
-  const gait::SafeStopConfig* stop = gate_.latched.fault != safety::Fault::kNone ? &config_.stop : nullptr;
+  const bool stops = gate_.latched.fault != safety::Fault::kNone;
+  const bool servoes_here = config_.method == WalkMethod::kPayloadWalk;
   TickOutput out;
   out.tick = sensors.tick;
   out.is_waiting_for_posture = is_waiting_for_posture(sensors);
   out.estimate = estimation::step(config_.estimator, config_.geometry, estimator_, sensors, period_s);
-  out.decision =
-      decision::step(config_.walk, config_.reflex, config_.detector, sequence_, out.estimate, period_s, stop);
-  out.foot_reference = gait::foot_reference(config_.walk, out.decision.motion, out.decision.time_in_phase_s);
-  out.joint_reference = kinematics::inverse(config_.geometry, out.foot_reference);
-  out.wanted_torque_nm = servo::step(config_.servo, servo_, out.joint_reference, sensors, period_s);
-  const safety::Finding implausible = safety::check_sensors(
-      config_.plausibility, plausibility_, sensors, is_moving(out.decision), sequence_.standing_force_n, period_s);
+  servoes_here ? walk_with_payload(sensors, stops, out) : walk_over_floor(sensors, stops, out);
+  const double standing_force_n = servoes_here ? sequence_.standing_force_n : floor_.standing_force_n;
+  const safety::Finding implausible = safety::check_sensors(config_.plausibility, plausibility_, sensors,
+                                                            is_moving(out.decision), standing_force_n, period_s);
   const safety::GateOrders orders{followed_by(reported, implausible), out.is_waiting_for_posture};
-  out.command = safety::step(config_.gate, gate_, out.wanted_torque_nm, sensors, orders, period_s);
+  const WantedMotion wanted{.mode = servoes_here ? LegMode::kTorque : LegMode::kPosition,
+                            .torque_nm = out.wanted_torque_nm,
+                            .angle_rad = out.joint_reference.angle_rad};
+  out.command = safety::step(config_.gate, gate_, wanted, sensors, orders, period_s);
   out.fault = gate_.latched.fault;
   out.safe_state = gate_.latched.needs;
   return out;
+}
+
+void Controller::walk_with_payload(const SensorSnapshot& sensors, bool stops, TickOutput& out) noexcept {
+  out.decision = decision::step(config_.walk, config_.reflex, config_.detector, sequence_, out.estimate,
+                                config_.period_s, stops ? &config_.stop : nullptr);
+  out.foot_reference = gait::foot_reference(config_.walk, out.decision.motion, out.decision.time_in_phase_s);
+  out.joint_reference = kinematics::inverse(config_.geometry, out.foot_reference);
+  out.wanted_torque_nm = servo::step(config_.servo, servo_, out.joint_reference, sensors, config_.period_s);
+}
+
+void Controller::walk_over_floor(const SensorSnapshot& sensors, bool stops, TickOutput& out) noexcept {
+  out.floor =
+      step(config_.floor, config_.walk, config_.geometry, floor_, sensors, out.estimate, stops, config_.period_s);
+  out.decision = as_decision(config_.walk, floor_.walk);
+  out.foot_reference = out.floor.foot_reference;
+  out.joint_reference = out.floor.joint_reference;
 }
 
 bool Controller::is_waiting_for_posture(const SensorSnapshot& sensors) noexcept {
@@ -51,8 +82,20 @@ bool Controller::is_waiting_for_posture(const SensorSnapshot& sensors) noexcept 
   estimator_ = {};  // everything begins in the tick in which the robot stands
   sequence_ = {};
   servo_ = {};
+  floor_ = {};
   is_up_ = safety::is_ready_to_stand(config_.posture, sensors, standing_);
   return !is_up_;
+}
+
+double time_zero_s(const ControllerConfig& config) noexcept {
+  if (config.method == WalkMethod::kFloorWalk) return gait::start_up_s(config.walk, config.floor.pattern);
+  return decision::time_zero_s(config.walk, config.reflex, config.detector);
+}
+
+JointReference standing_reference(const ControllerConfig& config) noexcept {
+  const double x_m =
+      config.method == WalkMethod::kFloorWalk ? -config.floor.pattern.pelvis_x_m : config.walk.reference_x_body_m;
+  return kinematics::inverse(config.geometry, gait::stance(config.walk, {x_m, x_m}));
 }
 
 }  // namespace surefoot

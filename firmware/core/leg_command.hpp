@@ -20,4 +20,11 @@ struct LegCommand {
   LegVector angle_rad{};  ///< of `kPosition`
 };
 
+/// What the rooms above the output gate want of both legs; one mode for the whole robot.
+struct WantedMotion {
+  LegMode mode = LegMode::kTorque;
+  PerSide<LegVector> torque_nm{};  ///< of `kTorque`
+  PerSide<LegVector> angle_rad{};  ///< of `kPosition`
+};
+
 }  // namespace surefoot

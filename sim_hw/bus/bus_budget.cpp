@@ -13,6 +13,7 @@ namespace {
 std::int64_t ns(double seconds) noexcept { return std::llround(seconds * 1.0e9); }
 
 bool is_emergency(const TrafficStream& stream) noexcept { return stream.kind == StreamKind::kEmergency; }
+bool is_of_healthy_tick(const TrafficStream& stream) noexcept { return stream.period_ticks > 0; }
 
 /// Response times of a healthy tick's streams; or of the emergencies, one of each a tick, among all others.
 void analyse(std::vector<StreamBudget>& streams, std::int64_t bit_ns, std::int64_t node_jitter_ns, std::int64_t tick_ns,
@@ -20,7 +21,7 @@ void analyse(std::vector<StreamBudget>& streams, std::int64_t bit_ns, std::int64
   std::vector<AnalysedMessage> messages;
   std::vector<StreamBudget*> analysed;
   for (StreamBudget& entry : streams) {
-    if (is_emergency(entry.stream) && !emergencies) continue;
+    if (!is_of_healthy_tick(entry.stream) && !(emergencies && is_emergency(entry.stream))) continue;
     const bool is_node = entry.stream.sender != can::Node::kController;
     messages.push_back({.identifier = entry.stream.identifier,
                         .transmission_ns = entry.transmission_ns,
@@ -35,10 +36,10 @@ void analyse(std::vector<StreamBudget>& streams, std::int64_t bit_ns, std::int64
   }
 }
 
-SingleBusBudget single_bus(const BusConfig& config, std::int64_t tick_ns, std::uint32_t bus) {
+SingleBusBudget single_bus(const BusConfig& config, TrafficOptions options, std::int64_t tick_ns, std::uint32_t bus) {
   const BitTiming timing = bit_timing(config);
   SingleBusBudget budget;
-  for (const TrafficStream& stream : robot_traffic()) {
+  for (const TrafficStream& stream : streams_of(options)) {
     if (!travels_on(stream.identifier, bus, config.count)) continue;
     StreamBudget entry{.stream = stream, .worst_bits = worst_case_frame_bits(stream.length), .worst_response_ns = {}};
     entry.transmission_ns = static_cast<std::int64_t>(duration_ns(entry.worst_bits, timing));
@@ -58,7 +59,8 @@ SingleBusBudget single_bus(const BusConfig& config, std::int64_t tick_ns, std::u
 std::int64_t wire_ns(const SingleBusBudget& bus, std::initializer_list<StreamKind> kinds) noexcept {
   std::int64_t sum_ns = 0;
   for (const StreamBudget& entry : bus.streams) {
-    if (std::ranges::find(kinds, entry.stream.kind) != kinds.end()) sum_ns += entry.transmission_ns;
+    const bool counts = is_of_healthy_tick(entry.stream) && std::ranges::find(kinds, entry.stream.kind) != kinds.end();
+    if (counts) sum_ns += entry.transmission_ns;
   }
   return sum_ns;
 }
@@ -79,12 +81,12 @@ std::int64_t slow_enough_ns(std::int64_t chain_ns) noexcept {
   return (chain_ns + kStep_ns - 1) / kStep_ns * kStep_ns;
 }
 
-std::string remedies(const BusConfig& config, const BusBudget& budget) {
+std::string remedies(const BusConfig& config, TrafficOptions options, const BusBudget& budget) {
   constexpr double kFastestDataRate_hz = 8.0e6;  // of common transceivers (CiA 601-4, signal improvement)
   const double period_s = static_cast<double>(budget.period_ns) * 1e-9;
   std::string text;
   const auto propose = [&](BusConfig changed, const std::string& keys) {
-    const BusBudget better = bus_budget(changed, period_s);
+    const BusBudget better = bus_budget(changed, period_s, options);
     if (better.carries()) text += fmt::format("{} (the tick then needs {}), or ", keys, us(better.chain.total_ns()));
   };
   BusConfig two = config;
@@ -102,11 +104,11 @@ std::string remedies(const BusConfig& config, const BusBudget& budget) {
 
 }  // namespace
 
-BusBudget bus_budget(const BusConfig& config, double control_period_s) {
+BusBudget bus_budget(const BusConfig& config, double control_period_s, TrafficOptions options) {
   BusBudget budget;
   budget.period_ns = ns(control_period_s);
   for (std::uint32_t bus = 0; bus < config.count; ++bus) {
-    const SingleBusBudget& single = budget.buses.emplace_back(single_bus(config, budget.period_ns, bus));
+    const SingleBusBudget& single = budget.buses.emplace_back(single_bus(config, options, budget.period_ns, bus));
     TickChain& chain = budget.chain;
     chain.sync_and_states_ns =
         std::max(chain.sync_and_states_ns, wire_ns(single, {StreamKind::kSync, StreamKind::kState}));
@@ -119,19 +121,19 @@ BusBudget bus_budget(const BusConfig& config, double control_period_s) {
   return budget;
 }
 
-std::optional<BusRefusal> refuse_overload(const BusConfig& config, double control_period_s) {
-  const BusBudget budget = bus_budget(config, control_period_s);
+std::optional<BusRefusal> refuse_overload(const BusConfig& config, double control_period_s, TrafficOptions options) {
+  const BusBudget budget = bus_budget(config, control_period_s, options);
   if (budget.carries()) return std::nullopt;
   const TickChain& chain = budget.chain;
   return BusRefusal{
-      fmt::format("the bus cannot carry its traffic: from SYNC to the last torque frame a tick takes up to {} "
-                  "(SYNC and states {}, nodes {}, computing {}, torques {}, a heartbeat {}), {} ({:.1f} %) more than "
+      fmt::format("the bus cannot carry its traffic: from SYNC to the last command frame a tick takes up to {} "
+                  "(SYNC and states {}, nodes {}, computing {}, commands {}, a heartbeat {}), {} ({:.1f} %) more than "
                   "control_period_s = {}",
                   us(chain.total_ns()), us(chain.sync_and_states_ns), us(chain.node_ns), us(chain.compute_ns),
                   us(chain.commands_ns), us(chain.heartbeat_ns), us(-budget.spare_ns()),
                   -100.0 * static_cast<double>(budget.spare_ns()) / static_cast<double>(budget.period_ns),
                   us(budget.period_ns)),
-      remedies(config, budget)};
+      remedies(config, options, budget)};
 }
 
 }  // namespace surefoot::sim_hw

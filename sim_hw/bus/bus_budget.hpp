@@ -15,8 +15,8 @@ struct StreamBudget {
   FrameBits worst_bits;
   std::int64_t transmission_ns = 0;
   std::int64_t period_ns = 0;  ///< 0: none
-  /// From the instant that it may be queued at its node, jitter included; nothing: without bound. Emergencies:
-  /// when every node sends one in the same tick.
+  /// From the instant that it may be queued at its node, jitter included; nothing: without bound, or no part of a
+  /// healthy tick. Emergencies: when every node sends one in the same tick.
   std::optional<std::int64_t> worst_response_ns;
 };
 
@@ -26,7 +26,7 @@ struct SingleBusBudget {
   double worst_load_percent = 0.0;    ///< every frame at its longest; emergencies not counted
 };
 
-/// The longest a healthy tick can take from SYNC to the end of its torque frames, in ns. Where there are two
+/// The longest a healthy tick can take from SYNC to the end of its command frames, in ns. Where there are two
 /// buses each part is that of the slower.
 struct TickChain {
   std::int64_t sync_and_states_ns = 0;  ///< on the wire
@@ -59,7 +59,7 @@ struct BusBudget {
 };
 
 /// @param control_period_s  time between two SYNC frames, > 0
-[[nodiscard]] BusBudget bus_budget(const BusConfig&, double control_period_s);
+[[nodiscard]] BusBudget bus_budget(const BusConfig&, double control_period_s, TrafficOptions options = {});
 
 /// How far a bus is from carrying its traffic, and what would mend it, for people.
 struct BusRefusal {
@@ -68,6 +68,7 @@ struct BusRefusal {
 };
 
 /// Nothing when the bus carries its traffic.
-[[nodiscard]] std::optional<BusRefusal> refuse_overload(const BusConfig&, double control_period_s);
+[[nodiscard]] std::optional<BusRefusal> refuse_overload(const BusConfig&, double control_period_s,
+                                                        TrafficOptions options = {});
 
 }  // namespace surefoot::sim_hw

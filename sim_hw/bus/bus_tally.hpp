@@ -19,7 +19,7 @@ struct StreamTally {
 /// Running totals of one bus: exact bits, and the slowest frame of each stream.
 class BusTally {
  public:
-  static constexpr std::size_t kMaxStreams = 24;
+  static constexpr std::size_t kMaxStreams = 32;
 
   BusTally() noexcept = default;
   explicit BusTally(BitTiming timing) noexcept : timing_(timing) {}

@@ -13,8 +13,8 @@ namespace surefoot::sim_hw {
 /// real bus, and keeps the totals.
 ///
 /// SYNC and the controller's heartbeat are ready when the tick begins; a node's frames (and strangers') when SYNC has
-/// ended, after its latency and a seeded jitter; the torques when the last node has been heard on every bus and the
-/// controller has computed; what comes after that, with the torques. What a tick does not finish goes on in
+/// ended, after its latency and a seeded jitter; the commands when the last node has been heard on every bus and the
+/// controller has computed; what comes after that, with the commands. What a tick does not finish goes on in
 /// the next. No heap.
 class TickTimeline {
  public:

@@ -19,8 +19,14 @@ constexpr TrafficStream emergency(Node node, const char* name, std::uint8_t leng
 constexpr TrafficStream state(Node node, const char* name, std::uint8_t length) {
   return {can::state_identifier(node), name, node, StreamKind::kState, length, 1};
 }
-constexpr TrafficStream command(Node node, const char* name, std::uint8_t length) {
-  return {can::command_identifier(node), name, Node::kController, StreamKind::kCommand, length, 1};
+constexpr TrafficStream inertial(Node node, const char* name, std::uint8_t length) {
+  return {can::inertial_identifier(node), name, node, StreamKind::kState, length, 1, StreamUse::kInertialLegs};
+}
+constexpr TrafficStream torques(Node node, const char* name, std::uint8_t length) {
+  return {can::command_identifier(node), name, Node::kController, StreamKind::kCommand, length, 1, StreamUse::kTorques};
+}
+constexpr TrafficStream angles(Node node, const char* name, std::uint8_t length) {
+  return {can::position_identifier(node), name, Node::kController, StreamKind::kCommand, length, 1, StreamUse::kAngles};
 }
 constexpr TrafficStream heartbeat(Node node, const char* name, std::uint8_t length) {
   return {can::heartbeat_identifier(node), name, node, StreamKind::kHeartbeat, length, kHeartbeatTicks};
@@ -39,8 +45,14 @@ constexpr std::array kTraffic{
     state(Node::kFootRight, "FOOT_FORCE_RIGHT", SUREFOOT_FOOT_FORCE_RIGHT_LENGTH),
     state(Node::kFootLeft, "FOOT_FORCE_LEFT", SUREFOOT_FOOT_FORCE_LEFT_LENGTH),
     state(Node::kTorsoImu, "IMU", SUREFOOT_IMU_LENGTH),
-    command(Node::kLegRight, "LEG_COMMAND_RIGHT", SUREFOOT_LEG_COMMAND_RIGHT_LENGTH),
-    command(Node::kLegLeft, "LEG_COMMAND_LEFT", SUREFOOT_LEG_COMMAND_LEFT_LENGTH),
+    torques(Node::kLegRight, "LEG_COMMAND_RIGHT", SUREFOOT_LEG_COMMAND_RIGHT_LENGTH),
+    torques(Node::kLegLeft, "LEG_COMMAND_LEFT", SUREFOOT_LEG_COMMAND_LEFT_LENGTH),
+    inertial(Node::kLegRight, "LEG_INERTIAL_RIGHT", SUREFOOT_LEG_INERTIAL_RIGHT_LENGTH),
+    inertial(Node::kLegLeft, "LEG_INERTIAL_LEFT", SUREFOOT_LEG_INERTIAL_LEFT_LENGTH),
+    inertial(Node::kFootRight, "FOOT_INERTIAL_RIGHT", SUREFOOT_FOOT_INERTIAL_RIGHT_LENGTH),
+    inertial(Node::kFootLeft, "FOOT_INERTIAL_LEFT", SUREFOOT_FOOT_INERTIAL_LEFT_LENGTH),
+    angles(Node::kLegRight, "LEG_POSITION_RIGHT", SUREFOOT_LEG_POSITION_RIGHT_LENGTH),
+    angles(Node::kLegLeft, "LEG_POSITION_LEFT", SUREFOOT_LEG_POSITION_LEFT_LENGTH),
     heartbeat(Node::kLegRight, "HEARTBEAT_LEG_RIGHT", SUREFOOT_HEARTBEAT_LEG_RIGHT_LENGTH),
     heartbeat(Node::kLegLeft, "HEARTBEAT_LEG_LEFT", SUREFOOT_HEARTBEAT_LEG_LEFT_LENGTH),
     heartbeat(Node::kFootRight, "HEARTBEAT_FOOT_RIGHT", SUREFOOT_HEARTBEAT_FOOT_RIGHT_LENGTH),
@@ -62,6 +74,17 @@ constexpr std::array<std::uint8_t, 0x800> kPlaces = make_places();
 }  // namespace
 
 std::span<const TrafficStream> robot_traffic() noexcept { return kTraffic; }
+
+std::vector<TrafficStream> streams_of(TrafficOptions options) {
+  std::vector<TrafficStream> streams;
+  for (TrafficStream stream : kTraffic) {
+    if (stream.use == StreamUse::kInertialLegs && !options.has_inertial_legs) continue;
+    if (stream.use == StreamUse::kAngles && !options.commands_angles) continue;
+    if (stream.use == StreamUse::kTorques && options.commands_angles) stream.period_ticks = 0;
+    streams.push_back(stream);
+  }
+  return streams;
+}
 
 std::size_t stream_of(std::uint16_t identifier) noexcept {
   return identifier < kPlaces.size() ? kPlaces[identifier] : kNoStream;

@@ -15,10 +15,13 @@ can::Node sender_of(const can::CanFrame& frame) noexcept {
   return static_cast<can::Node>(frame.identifier & kNodeMask);
 }
 
-/// The leg that a torque frame is for; the controller for every other frame.
+/// The leg that a command frame is for; the controller for every other frame.
 can::Node addressee_of(const can::CanFrame& frame) noexcept {
   for (const Side side : kSides) {
-    if (frame.identifier == can::command_identifier(can::leg_node(side))) return can::leg_node(side);
+    const can::Node node = can::leg_node(side);
+    if (frame.identifier == can::command_identifier(node) || frame.identifier == can::position_identifier(node)) {
+      return node;
+    }
   }
   return can::Node::kController;
 }

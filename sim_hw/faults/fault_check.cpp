@@ -20,8 +20,11 @@ bool belongs(FaultSignal signal, FaultTarget target) {
     case FaultSignal::kAngle:
     case FaultSignal::kRate:
     case FaultSignal::kTorque:
+    case FaultSignal::kHipGyro:
       return is_leg(target);
     case FaultSignal::kForce:
+    case FaultSignal::kInclinometer:
+    case FaultSignal::kFootAccelerometer:
       return is_foot(target);
     case FaultSignal::kGyro:
     case FaultSignal::kAccelerometer:
@@ -79,7 +82,12 @@ std::optional<FaultProblem> check_signal(const FaultConfig& fault) {
   }
   if (!belongs(fault.signal, fault.target)) {
     return FaultProblem{"signal", "is not measured by this target",
-                        "legs measure angle, rate and torque, feet force, the torso gyro and accelerometer"};
+                        "legs measure angle, rate, torque and hip_gyro, feet force, inclinometer and "
+                        "foot_accelerometer, the torso gyro and accelerometer"};
+  }
+  if (is_of_inertial_legs(fault.signal) && fault.element != FaultElement::kAll) {
+    return FaultProblem{"element", "picks one of several; the inertial sensors of legs and feet go wrong as a whole",
+                        "remove the key"};
   }
   if (!belongs(fault.element, fault.target)) {
     return FaultProblem{"element", "is not a part of this target",

@@ -8,7 +8,7 @@ namespace surefoot::sim_hw {
 /// Most faults that one run takes.
 inline constexpr std::size_t kMaxFaults = 16;
 
-/// What goes wrong. A "frame of" a node is one that it sends, or a torque frame addressed to it; every frame
+/// What goes wrong. A "frame of" a node is one that it sends, or a command frame addressed to it; every frame
 /// that comes from outside is one of the controller's; every frame is one of the bus. `value` has the meaning
 /// given here, and none where it is not mentioned.
 enum class FaultKind : std::uint8_t {
@@ -43,9 +43,13 @@ enum class FaultSignal : std::uint8_t {
   kForce,          ///< foot, N
   kGyro,           ///< torso, rad/s
   kAccelerometer,  ///< torso, m/s2
+  // Of robots with inertial legs.
+  kHipGyro,            ///< leg, rad/s
+  kInclinometer,       ///< foot, rad
+  kFootAccelerometer,  ///< foot, m/s2
 };
 
-/// Which of the six joints, four corners or three axes.
+/// Which of the six joints, four corners or three axes; the signals of inertial legs have no elements.
 enum class FaultElement : std::uint8_t {
   kAll,
   kHipYaw,
@@ -80,6 +84,10 @@ struct FaultConfig {
 
 /// The kinds whose `probability` counts: they happen to single frames.
 [[nodiscard]] constexpr bool is_frame_fault(FaultKind kind) noexcept { return kind <= FaultKind::kSwap; }
+
+[[nodiscard]] constexpr bool is_of_inertial_legs(FaultSignal signal) noexcept {
+  return signal >= FaultSignal::kHipGyro;
+}
 
 /// The kinds that change what a sensor measures.
 [[nodiscard]] constexpr bool is_sensor_fault(FaultKind kind) noexcept {

@@ -44,10 +44,11 @@ void change_length(can::CanFrame& frame, Sequence& random) noexcept {
   frame.length = length;
 }
 
-/// Identifiers that a board owns come in fours: emergency, state, command, heartbeat.
+/// Identifiers that a board owns: emergency, states, commands, heartbeat.
 bool is_owned_by_a_board(std::uint16_t function) noexcept {
   return function == can::emergency_identifier(can::Node{0}) || function == can::state_identifier(can::Node{0}) ||
-         function == can::command_identifier(can::Node{0}) || function == can::heartbeat_identifier(can::Node{0});
+         function == can::inertial_identifier(can::Node{0}) || function == can::command_identifier(can::Node{0}) ||
+         function == can::position_identifier(can::Node{0}) || function == can::heartbeat_identifier(can::Node{0});
 }
 
 }  // namespace
@@ -78,12 +79,16 @@ bool is_acceptable(const can::CanFrame& frame) noexcept {
   can::LegStatus status;
   FootSensors foot;
   ImuSensors imu;
+  LegInertialSensors leg_inertial;
+  FootInertialSensors foot_inertial;
   can::Heartbeat heartbeat;
   can::Emergency emergency;
   constexpr auto kNone = can::Rejection::kNone;
   return can::decode_sync(frame, stamp) == kNone || can::decode_leg_command(frame, stamp, command) == kNone ||
          can::decode_leg_state(frame, stamp, leg, status) == kNone ||
          can::decode_foot_force(frame, stamp, foot) == kNone || can::decode_imu(frame, stamp, imu) == kNone ||
+         can::decode_leg_inertial(frame, stamp, leg_inertial) == kNone ||
+         can::decode_foot_inertial(frame, stamp, foot_inertial) == kNone ||
          can::decode_heartbeat(frame, stamp, heartbeat) == kNone ||
          can::decode_emergency(frame, stamp, emergency) == kNone;
 }
@@ -94,10 +99,14 @@ bool is_answer(const can::CanFrame& frame, std::uint32_t tick) noexcept {
   can::LegStatus status;
   FootSensors foot;
   ImuSensors imu;
+  LegInertialSensors leg_inertial;
+  FootInertialSensors foot_inertial;
   constexpr auto kNone = can::Rejection::kNone;
   const bool is_state = can::decode_leg_state(frame, stamp, leg, status) == kNone ||
                         can::decode_foot_force(frame, stamp, foot) == kNone ||
-                        can::decode_imu(frame, stamp, imu) == kNone;
+                        can::decode_imu(frame, stamp, imu) == kNone ||
+                        can::decode_leg_inertial(frame, stamp, leg_inertial) == kNone ||
+                        can::decode_foot_inertial(frame, stamp, foot_inertial) == kNone;
   return is_state && stamp.tick == (tick & 0xFFFFU);
 }
 

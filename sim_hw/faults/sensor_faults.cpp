@@ -13,9 +13,13 @@ std::size_t slot_of(FaultSignal signal) noexcept {
   switch (signal) {
     case FaultSignal::kRate:
     case FaultSignal::kAccelerometer:
+    case FaultSignal::kInclinometer:
       return 1;
     case FaultSignal::kTorque:
+    case FaultSignal::kFootAccelerometer:
       return 2;
+    case FaultSignal::kHipGyro:
+      return 3;
     default:
       return 0;
   }
@@ -60,6 +64,7 @@ void SensorFaults::apply(FaultSignal signal, std::span<double> values) noexcept 
   for (Entry& entry : entries_) {
     const FaultConfig& fault = entry.fault;
     if (!entry.is_on || (fault.signal != FaultSignal::kAll && fault.signal != signal)) continue;
+    if (fault.element != FaultElement::kAll && is_of_inertial_legs(signal)) continue;
     if (fault.kind == FaultKind::kStuck && !entry.is_holding[slot]) {
       std::copy_n(values.begin(), std::min(values.size(), kJointsPerLeg), entry.held[slot].begin());
       entry.is_holding[slot] = true;

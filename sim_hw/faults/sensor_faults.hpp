@@ -28,7 +28,7 @@ class SensorFaults {
   void apply(FaultSignal signal, std::span<double> values) noexcept;
 
  private:
-  static constexpr std::size_t kSignalsPerNode = 3;
+  static constexpr std::size_t kSignalsPerNode = 4;
 
   struct Entry {
     FaultConfig fault;

@@ -21,11 +21,14 @@ class CommandQueue {
   }
 
   /// Replaces `active` by the newest command that is due.
-  void take_due(std::uint64_t step, LegCommand& active) noexcept {
+  /// @return whether one was
+  bool take_due(std::uint64_t step, LegCommand& active) noexcept {
+    const std::size_t waiting = count_;
     while (count_ > 0 && entry_[first_].at_step <= step) {
       active = entry_[first_].command;
       drop_oldest();
     }
+    return count_ != waiting;
   }
 
   void clear() noexcept { count_ = 0; }

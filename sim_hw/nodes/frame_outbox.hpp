@@ -12,8 +12,8 @@ namespace surefoot::sim_hw {
 /// Frames that the nodes want to send, in order, until they are handed to the bus together.
 class FrameOutbox {
  public:
-  /// All nodes' state frames, heartbeats and emergencies of one tick.
-  static constexpr std::size_t kCapacity = 16;
+  /// All nodes' state and inertial frames, heartbeats and emergencies of one tick.
+  static constexpr std::size_t kCapacity = 20;
 
   void add(const can::CanFrame& frame) noexcept {
     if (count_ < kCapacity) {

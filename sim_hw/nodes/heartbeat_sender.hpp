@@ -13,7 +13,8 @@ class HeartbeatSender {
  public:
   static constexpr std::uint32_t kPeriodTicks = 100;
 
-  explicit HeartbeatSender(can::Node node) noexcept : node_(node) {}
+  explicit HeartbeatSender(can::Node node, bool has_inertial_sensors = false) noexcept
+      : node_(node), has_inertial_sensors_(has_inertial_sensors) {}
 
   void on_sync(std::uint32_t tick, FrameOutbox& outbox) noexcept {
     if (tick % kPeriodTicks != static_cast<std::uint32_t>(node_)) return;
@@ -35,10 +36,12 @@ class HeartbeatSender {
 
  private:
   void add(std::uint32_t tick, can::NodeState state, FrameOutbox& outbox) noexcept {
-    outbox.add(can::encode_heartbeat(node_, {.tick = tick, .counter = counter_++}, {.state = state}));
+    const can::Heartbeat heartbeat{.state = state, .has_inertial_sensors = has_inertial_sensors_};
+    outbox.add(can::encode_heartbeat(node_, {.tick = tick, .counter = counter_++}, heartbeat));
   }
 
   can::Node node_;
+  bool has_inertial_sensors_;
   bool has_booted_ = false;
   std::uint8_t counter_ = 0;
 };

@@ -28,10 +28,11 @@ LegBoard::LegBoard(Side side, const SimConfig& config)
       noise_(config.seed, static_cast<std::uint64_t>(can::leg_node(side))),
       faults_(config.faults, side == Side::kRight ? FaultTarget::kLegRight : FaultTarget::kLegLeft, config.seed,
               config.control_period_s),
-      heartbeat_(can::leg_node(side)) {}
+      heartbeat_(can::leg_node(side), config.sensor.has_inertial_legs),
+      servo_(config) {}
 
 void LegBoard::on_sync(std::uint32_t tick, const LegVector& angle_rad, const LegVector& rate_rad_s,
-                       FrameOutbox& outbox) noexcept {
+                       const LegInertialMotion& motion, FrameOutbox& outbox) noexcept {
   tick_ = tick;
   was_synchronised_ = true;
   has_command_ = false;
@@ -48,11 +49,22 @@ void LegBoard::on_sync(std::uint32_t tick, const LegVector& angle_rad, const Leg
   faults_.apply(FaultSignal::kRate, measured.rate_rad_s);
   faults_.apply(FaultSignal::kTorque, measured.torque_nm);
   outbox.add(can::encode_leg_state(side_, {.tick = tick, .counter = state_counter_++}, measured, status_));
+  if (sensor_.has_inertial_legs) send_inertial(motion, outbox);
   heartbeat_.on_sync(tick, outbox);
 }
 
+void LegBoard::send_inertial(const LegInertialMotion& motion, FrameOutbox& outbox) noexcept {
+  LegInertialSensors measured;
+  measured.hip_roll_rate_rad_s =
+      clipped(motion.hip_roll_rate_rad_s + noise_.sample(sensor_.hip_gyro_noise_rad_s), sensor_.hip_gyro_range_rad_s);
+  faults_.apply(FaultSignal::kHipGyro, {&measured.hip_roll_rate_rad_s, 1});
+  outbox.add(can::encode_leg_inertial(side_, {.tick = tick_, .counter = inertial_counter_++}, measured));
+}
+
 can::Rejection LegBoard::on_command(const can::CanFrame& frame, FrameOutbox& outbox) noexcept {
-  if (frame.identifier != can::command_identifier(can::leg_node(side_))) return can::Rejection::kUnknownIdentifier;
+  const can::Node node = can::leg_node(side_);
+  const bool is_position = frame.identifier == can::position_identifier(node);
+  if (!is_position && frame.identifier != can::command_identifier(node)) return can::Rejection::kUnknownIdentifier;
   can::FrameStamp stamp;
   LegCommand command;
   if (const auto rejection = can::decode_leg_command(frame, stamp, command); rejection != can::Rejection::kNone) {
@@ -68,7 +80,8 @@ can::Rejection LegBoard::on_command(const can::CanFrame& frame, FrameOutbox& out
     if (!std::ranges::equal(frame.bytes(), last_command_.bytes())) stop_obeying(outbox);
     return can::Rejection::kRepeated;
   }
-  if (const auto rejection = command_watch_.step(stamp.counter); rejection != can::Rejection::kNone) return rejection;
+  can::CounterWatch& watch = is_position ? position_watch_ : torque_watch_;
+  if (const auto rejection = watch.step(stamp.counter); rejection != can::Rejection::kNone) return rejection;
 
   has_command_ = true;
   was_commanded_ = true;
@@ -82,18 +95,25 @@ can::Rejection LegBoard::on_command(const can::CanFrame& frame, FrameOutbox& out
   return can::Rejection::kNone;
 }
 
-const LegVector& LegBoard::begin_step(const LegVector& rate_rad_s, FrameOutbox& outbox) noexcept {
+const LegVector& LegBoard::begin_step(const LegVector& angle_rad, const LegVector& rate_rad_s,
+                                      FrameOutbox& outbox) noexcept {
   if (was_commanded_ && !status_.watchdog_expired && silent_steps_ >= watchdog_steps_) {
     status_.watchdog_expired = true;
     queue_.clear();
     active_ = {};  // damp
     send_emergency(kEmergencyWatchdog, outbox);
   }
-  queue_.take_due(step_, active_);
+  const bool is_new = queue_.take_due(step_, active_);
   ++silent_steps_;
   ++step_;
 
   status_.is_damping = active_.mode == LegMode::kDamp;
+  if (active_.mode == LegMode::kPosition) {
+    if (is_new) servo_.aim(active_.angle_rad, angle_rad);
+    apply(servo_.step(angle_rad, rate_rad_s));
+    return torque_nm_;
+  }
+  servo_.stop();
   if (status_.is_damping) {
     LegVector damping;
     for (std::size_t joint = 0; joint < kJointsPerLeg; ++joint) damping[joint] = -kDampingNmSPerRad * rate_rad_s[joint];
@@ -112,8 +132,10 @@ void LegBoard::stop_obeying(FrameOutbox& outbox) noexcept {
 }
 
 void LegBoard::restart(FrameOutbox& outbox) noexcept {
-  command_watch_ = {};
+  torque_watch_ = {};
+  position_watch_ = {};
   queue_.clear();
+  servo_.stop();
   active_ = {};
   torque_nm_ = {};
   status_ = {.watchdog_expired = false, .torque_limited = false, .is_damping = true};
@@ -121,7 +143,7 @@ void LegBoard::restart(FrameOutbox& outbox) noexcept {
   silent_steps_ = 0;
   tick_ = 0;
   was_synchronised_ = has_command_ = was_commanded_ = has_heard_two_masters_ = false;
-  state_counter_ = emergency_counter_ = 0;
+  state_counter_ = inertial_counter_ = emergency_counter_ = 0;
   heartbeat_.restart(outbox);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace surefoot::sim_hw {
@@ -8,5 +9,8 @@ namespace surefoot::sim_hw {
 [[nodiscard]] inline double quantise(double value, double resolution) noexcept {
   return resolution > 0.0 ? std::round(value / resolution) * resolution : value;
 }
+
+/// Nearest value that a sensor of this range can tell, from -range to range.
+[[nodiscard]] inline double clipped(double value, double range) noexcept { return std::clamp(value, -range, range); }
 
 }  // namespace surefoot::sim_hw

@@ -16,6 +16,7 @@ struct SensedState {
   PerSide<LegVector> rate_rad_s;
   PerSide<std::array<double, geometry::kCornersPerFoot>> corner_force_n;
   TorsoMotion torso;
+  PerSide<LegInertialMotion> leg_inertial;
 };
 
 /// The robot's five nodes, each with the faults of its sensors.
@@ -33,8 +34,10 @@ class RobotNodes {
   void on_sync(std::uint32_t tick, const SensedState& sensed, const Hears& hears, FrameOutbox& outbox) noexcept {
     for (const Side side : kSides) {
       const std::size_t i = index(side);
-      if (hears(can::leg_node(side))) leg[i].on_sync(tick, sensed.angle_rad[i], sensed.rate_rad_s[i], outbox);
-      if (hears(can::foot_node(side))) foot[i].on_sync(tick, sensed.corner_force_n[i], outbox);
+      if (hears(can::leg_node(side))) {
+        leg[i].on_sync(tick, sensed.angle_rad[i], sensed.rate_rad_s[i], sensed.leg_inertial[i], outbox);
+      }
+      if (hears(can::foot_node(side))) foot[i].on_sync(tick, sensed.corner_force_n[i], sensed.leg_inertial[i], outbox);
     }
     if (hears(can::Node::kTorsoImu)) imu.on_sync(tick, sensed.torso, outbox);
   }

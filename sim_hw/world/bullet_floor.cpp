@@ -7,10 +7,13 @@
 
 #include <cmath>
 
+#include "sim_hw/world/bullet_terrain.hpp"
+
 namespace surefoot::sim_hw {
 namespace {
 
 constexpr double kSphereRadiusM = 0.01;
+constexpr double kReachM = 3.0 * kSphereRadiusM;  // farther than a sphere gets in one step
 constexpr int kSolverIterations = 30;
 constexpr double kErrorReduction = 0.1;  // share of the depth that one step takes back
 
@@ -33,19 +36,17 @@ void add_contact(SoleLoad& load, const BodyMotion& foot, const btVector3& positi
 
 // Members are destroyed in reverse: colliders and shapes outlive the world that refers to them.
 struct BulletFloor::BulletWorld {
-  BulletWorld(const geometry::RobotGeometry& geometry, double friction, RobotModel& robot)
+  BulletWorld(const geometry::RobotGeometry& geometry, double friction, const TerrainConfig& surface, RobotModel& robot)
       : robot_(robot),
         sole_centre_m(to_bullet(sole_centre(geometry)) + robot.foot_frame_from_com_m()),
         sphere(kSphereRadiusM),
-        plane({0, 0, 1}, 0.0),
-        floor(btRigidBody::btRigidBodyConstructionInfo(0.0, nullptr, &plane)) {
-    floor.setFriction(friction);
+        terrain(surface, friction, world) {
+    world.setForceUpdateAllAabbs(false);  // the floor does not move
     world.setGravity(to_bullet(robot.gravity_world_m_s2()));
     btContactSolverInfo& settings = world.getSolverInfo();
     settings.m_numIterations = kSolverIterations;
     settings.m_erp2 = kErrorReduction;
     settings.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
-    world.addRigidBody(&floor);
     world.addMultiBody(&robot.multi_body());
     for (const Side side : kSides) add_sole(geometry, side);
   }
@@ -54,7 +55,6 @@ struct BulletFloor::BulletWorld {
     for (auto& sole : soles) world.removeCollisionObject(sole.get());
     for (const Side side : kSides) robot_.multi_body().getLink(foot_link(side)).m_collider = nullptr;
     world.removeMultiBody(&robot_.multi_body());
-    world.removeRigidBody(&floor);
   }
   BulletWorld(const BulletWorld&) = delete;
   BulletWorld& operator=(const BulletWorld&) = delete;
@@ -77,6 +77,18 @@ struct BulletFloor::BulletWorld {
     world.addCollisionObject(sole.get(), btBroadphaseProxy::DefaultFilter, btBroadphaseProxy::StaticFilter);
   }
 
+  void build_floor_under(const RobotModel& robot) {
+    for (const Side side : kSides) {
+      const BodyMotion foot = robot.foot_motion(side);
+      for (std::size_t i = 0; i < geometry::kCornersPerFoot; ++i) {
+        const btVector3 centre = corners[index(side)].getChildTransform(static_cast<int>(i)).getOrigin();
+        const btVector3 place =
+            foot.position_m + foot.rotation_world_from_body * (centre - robot_.foot_frame_from_com_m());
+        terrain.reach(place.x(), place.y(), kReachM);
+      }
+    }
+  }
+
   /// The corner whose sphere made this contact.
   std::size_t corner_at(const btVector3& point_from_com_m) const noexcept {
     const bool rear = point_from_com_m.x() < sole_centre_m.x();
@@ -87,9 +99,7 @@ struct BulletFloor::BulletWorld {
   RobotModel& robot_;
   btVector3 sole_centre_m;  ///< from the foot's centre of mass
   btSphereShape sphere;
-  btStaticPlaneShape plane;
   std::array<btCompoundShape, 2> corners;
-  btRigidBody floor;
   PerSide<std::unique_ptr<btMultiBodyLinkCollider>> soles;
   btAlignedObjectArray<btQuaternion> scratch_rotation;
   btAlignedObjectArray<btVector3> scratch_origin;
@@ -98,10 +108,12 @@ struct BulletFloor::BulletWorld {
   btDbvtBroadphase broadphase;
   btMultiBodyConstraintSolver solver;
   btMultiBodyDynamicsWorld world{&dispatcher, &broadphase, &solver, &collision_configuration};
+  BulletTerrain terrain;
 };
 
-BulletFloor::BulletFloor(const geometry::RobotGeometry& geometry, const ContactConfig& config, RobotModel& robot)
-    : world_(std::make_unique<BulletWorld>(geometry, config.friction, robot)) {}
+BulletFloor::BulletFloor(const geometry::RobotGeometry& geometry, const ContactConfig& config,
+                         const TerrainConfig& terrain, RobotModel& robot)
+    : world_(std::make_unique<BulletWorld>(geometry, config.friction, terrain, robot)) {}
 
 BulletFloor::~BulletFloor() = default;
 
@@ -110,6 +122,7 @@ double BulletFloor::resting_depth_m(double /*total_mass_kg*/) const noexcept { r
 void BulletFloor::step(RobotModel& robot, const PerSide<LegVector>& motor_torque_nm, double step_s) noexcept {
   robot.drive_joints(motor_torque_nm);
   robot.multi_body().updateCollisionObjectWorldTransforms(world_->scratch_rotation, world_->scratch_origin);
+  world_->build_floor_under(robot);
   world_->world.stepSimulation(step_s, 0);
 
   load_ = {};

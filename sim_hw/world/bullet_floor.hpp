@@ -8,12 +8,12 @@
 namespace surefoot::sim_hw {
 
 /// The second opinion: Bullet's own contact solver, rigid contact and a friction pyramid, on four
-/// small spheres a sole and a plane. Takes friction from the configuration and ignores its
+/// small spheres a sole and a plane, or boxes for a rough floor. Takes friction from the configuration and ignores its
 /// stiffness and damping. Several times slower than `SpringFloor`; Bullet allocates at will.
 class BulletFloor final : public Floor {
  public:
   /// @param robot  becomes part of the world; outlives this object
-  BulletFloor(const geometry::RobotGeometry&, const ContactConfig&, RobotModel& robot);
+  BulletFloor(const geometry::RobotGeometry&, const ContactConfig&, const TerrainConfig&, RobotModel& robot);
   ~BulletFloor() override;
   BulletFloor(const BulletFloor&) = delete;
   BulletFloor& operator=(const BulletFloor&) = delete;

@@ -1,6 +1,9 @@
 #include "sim_hw/world/robot_model.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+
+#include "sim_hw/world/hip_spring.hpp"
 
 namespace surefoot::sim_hw {
 namespace {
@@ -9,7 +12,7 @@ constexpr double kIntermediateLinkKg = 0.01;
 constexpr double kThighSectionM = 0.1;  // length and width of the thigh's box
 constexpr double kCalfLengthM = 0.05;   // of the calf's box, along x
 constexpr double kCalfWidthM = 0.1;     // along y
-constexpr double kFootHeightM = 0.1;
+constexpr double kMaxFootHeightM = 0.1;
 
 /// Links of a leg, from trunk to sole, as Bullet wants them.
 struct LinkShape {
@@ -19,6 +22,29 @@ struct LinkShape {
   btVector3 parent_com_to_joint_m;
   btVector3 joint_to_com_m;
 };
+
+double foot_height_m(const geometry::RobotGeometry& geometry) noexcept {
+  return std::min(kMaxFootHeightM, geometry.ankle_height_m);
+}
+
+/// Inertia of each joint's rotor behind its gear, where it turns with the link.
+LegVector rotor_inertia_kg_m2(const DriveConfig& drive) noexcept {
+  LegVector inertia;
+  for (std::size_t joint = 0; joint < kJointsPerLeg; ++joint) {
+    inertia[joint] = drive.rotor_share[joint] * drive.rotor_inertia_kg_m2;
+  }
+  if (HipSpring::is_flexible(drive)) inertia[index(LegJoint::kHipRoll)] = 0.0;
+  return inertia;
+}
+
+LegVector friction_nm_s_per_rad(const DriveConfig& drive) noexcept {
+  LegVector friction;
+  friction.fill(drive.hip_knee_friction_nm_s_per_rad);
+  friction[index(LegJoint::kAnklePitch)] = drive.ankle_friction_nm_s_per_rad;
+  friction[index(LegJoint::kAnkleRoll)] = drive.ankle_friction_nm_s_per_rad;
+  if (HipSpring::is_flexible(drive)) friction[index(LegJoint::kHipRoll)] = 0.0;
+  return friction;
+}
 
 btVector3 box(double mass_kg, double length_m, double width_m, double height_m) {
   return to_bullet(box_inertia(mass_kg, {length_m, width_m, height_m}));
@@ -63,12 +89,10 @@ RobotModel::RobotModel(const geometry::RobotGeometry& geometry, const MassConfig
                        const geometry::Vector3& gravity_world_m_s2)
     : trunk_(unloaded_trunk(mass)),
       gravity_world_m_s2_(gravity_world_m_s2),
-      foot_frame_from_com_m_(-mass.foot_com_x_foot_m, 0.0, -0.5 * kFootHeightM),
+      friction_nm_s_per_rad_(friction_nm_s_per_rad(drive)),
+      foot_frame_from_com_m_(-mass.foot_com_x_foot_m, 0.0, -0.5 * foot_height_m(geometry)),
       body_(kLinks, trunk_.mass_kg, to_bullet(trunk_.inertia_kg_m2)) {
-  friction_nm_s_per_rad_.fill(drive.hip_knee_friction_nm_s_per_rad);
-  friction_nm_s_per_rad_[index(LegJoint::kAnklePitch)] = drive.ankle_friction_nm_s_per_rad;
-  friction_nm_s_per_rad_[index(LegJoint::kAnkleRoll)] = drive.ankle_friction_nm_s_per_rad;
-  for (const Side side : kSides) build_leg(side, geometry, mass, drive.rotor_inertia_kg_m2);
+  for (const Side side : kSides) build_leg(side, geometry, mass, rotor_inertia_kg_m2(drive));
   body_.finish();
   place_body(geometry::Vector3::Zero(), geometry::Matrix3::Identity(), geometry::Vector3::Zero(),
              geometry::Vector3::Zero());
@@ -78,7 +102,8 @@ RobotModel::RobotModel(const geometry::RobotGeometry& geometry, const MassConfig
                                                              false, false, false);
 }
 
-void RobotModel::build_leg(Side side, const geometry::RobotGeometry& geometry, const MassConfig& mass, double rotor) {
+void RobotModel::build_leg(Side side, const geometry::RobotGeometry& geometry, const MassConfig& mass,
+                           const LegVector& rotor) {
   const btVector3 yaw{0, 0, 1};
   const btVector3 roll{1, 0, 0};
   const btVector3 pitch{0, 1, 0};
@@ -96,14 +121,17 @@ void RobotModel::build_leg(Side side, const geometry::RobotGeometry& geometry, c
       {thigh_kg, box(thigh_kg, kThighSectionM, kThighSectionM, geometry.thigh_m), pitch, zero, half_thigh},
       {mass.calf_kg, box(mass.calf_kg, kCalfLengthM, kCalfWidthM, geometry.calf_m), pitch, half_thigh, half_calf},
       {kIntermediateLinkKg, small, pitch, half_calf, zero},
-      {foot_kg, box(foot_kg, geometry.sole_heel_m + geometry.sole_toe_m, geometry.sole_width_m, kFootHeightM), roll,
+      {foot_kg,
+       box(foot_kg, geometry.sole_heel_m + geometry.sole_toe_m, geometry.sole_width_m, foot_height_m(geometry)), roll,
        zero, ankle_to_foot_com},
   }};
   const int first = link(side, LegJoint::kHipYaw);
   for (int i = 0; i < static_cast<int>(kJointsPerLeg); ++i) {
-    const LinkShape& shape = shapes[static_cast<std::size_t>(i)];
-    body_.setupRevolute(first + i, shape.mass_kg, shape.inertia_kg_m2 + rotor * shape.axis, i == 0 ? -1 : first + i - 1,
-                        btQuaternion::getIdentity(), shape.axis, shape.parent_com_to_joint_m, shape.joint_to_com_m,
+    const auto joint = static_cast<std::size_t>(i);
+    const LinkShape& shape = shapes[joint];
+    body_.setupRevolute(first + i, shape.mass_kg, shape.inertia_kg_m2 + rotor[joint] * shape.axis,
+                        i == 0 ? -1 : first + i - 1, btQuaternion::getIdentity(), shape.axis,
+                        shape.parent_com_to_joint_m, shape.joint_to_com_m,
                         /*disableParentCollision=*/true);
   }
 }

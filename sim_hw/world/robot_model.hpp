@@ -21,14 +21,14 @@ struct BodyMotion {
 /// The twelve-joint biped as a tree of rigid bodies: the trunk, and for each leg hip yaw, hip roll,
 /// thigh, calf, ankle, foot (joints.hpp: yaw +z, roll +x, pitch +y; all frames parallel in the zero pose).
 ///
-/// Links are uniform boxes: thigh 0.27 x 0.1 x 0.1 m and calf 0.22 x 0.05 x 0.1 m with their centres
-/// in the middle, foot as long and wide as the sole and 0.1 m high. The two links between the hip
-/// axes and the one between the ankle axes carry 10 g each, taken from thigh and foot, so that the
-/// masses add up to the configured ones.
+/// Links are uniform boxes: thigh 0.1 x 0.1 m and calf 0.05 x 0.1 m wide and as long as the geometry says, with their
+/// centres in the middle; foot as long and wide as the sole and 0.1 m high, or up to the ankle where that is lower. The
+/// two links between the hip axes and the one between the ankle axes carry 10 g each, taken from thigh and foot, so
+/// that the masses add up to the configured ones.
 ///
-/// The drives' rotor inertia is added to the distal link about its joint's axis. A geared rotor
-/// turns with the joint, not with the body: in a rotation of the whole robot this over-counts, by a
-/// few percent of its pitch inertia.
+/// The drives' rotor inertia, each joint's share of it, is added to the distal link about its joint's axis. A geared
+/// rotor turns with the joint, not with the body: in a rotation of the whole robot this over-counts, by a few percent
+/// of its pitch inertia.
 class RobotModel {
  public:
   static constexpr int kLinks = 12;
@@ -82,7 +82,7 @@ class RobotModel {
   [[nodiscard]] const btVector3& foot_frame_from_com_m() const noexcept { return foot_frame_from_com_m_; }
 
  private:
-  void build_leg(Side, const geometry::RobotGeometry&, const MassConfig&, double rotor_inertia_kg_m2);
+  void build_leg(Side, const geometry::RobotGeometry&, const MassConfig&, const LegVector& rotor_inertia_kg_m2);
 
   TrunkMass trunk_;
   geometry::Vector3 gravity_world_m_s2_;

@@ -4,10 +4,11 @@
 
 namespace surefoot::sim_hw {
 
-SpringFloor::SpringFloor(const geometry::RobotGeometry& geometry, const ContactConfig& config) noexcept
+SpringFloor::SpringFloor(const geometry::RobotGeometry& geometry, const ContactConfig& config,
+                         const TerrainConfig& terrain)
     : normal_gravity_m_s2_(-gravity_floor_m_s2(config).z()),
       normal_stiffness_n_per_m_(config.normal_stiffness_n_per_m),
-      contact_{CornerContact(geometry, config), CornerContact(geometry, config)} {}
+      contact_{CornerContact(geometry, config, terrain), CornerContact(geometry, config, terrain)} {}
 
 void SpringFloor::step(RobotModel& robot, const PerSide<LegVector>& motor_torque_nm, double step_s) noexcept {
   for (const Side side : kSides) {

@@ -9,7 +9,7 @@ namespace surefoot::sim_hw {
 /// Does not allocate.
 class SpringFloor final : public Floor {
  public:
-  SpringFloor(const geometry::RobotGeometry&, const ContactConfig&) noexcept;
+  SpringFloor(const geometry::RobotGeometry&, const ContactConfig&, const TerrainConfig& = {});
 
   void step(RobotModel&, const PerSide<LegVector>& motor_torque_nm, double step_s) noexcept override;
   void touch(const RobotModel&) noexcept override;

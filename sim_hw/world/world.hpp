@@ -5,6 +5,7 @@
 
 #include "sim_hw/plant_config.hpp"
 #include "sim_hw/world/floor.hpp"
+#include "sim_hw/world/hip_spring.hpp"
 #include "sim_hw/world/robot_model.hpp"
 
 namespace surefoot::sim_hw {
@@ -13,14 +14,14 @@ namespace surefoot::sim_hw {
 /// does, to the last bit.
 class World {
  public:
-  /// The robot stands still and upright, yaw zero, body frame above the world's origin; the lowest
-  /// corner of its soles lies at the depth at which the floor carries it.
+  /// The robot stands still and upright, yaw zero, body frame above the world's origin, at the height at which the
+  /// corners of its soles that touch carry it: all of them on a plane, the highest ones on a rough floor.
   World(const SimConfig&, const PerSide<LegVector>& initial_angle_rad);
 
   /// Makes room for so many boxes in all, so that `hang` does not allocate.
   void reserve_boxes(std::size_t count) { boxes_.reserve(count); }
 
-  /// One physics step with the motor torques held.
+  /// One physics step with the motor torques held. They act on the joints, or on the rotor behind a flexible hip.
   void advance(const PerSide<LegVector>& motor_torque_nm, double step_s) noexcept;
 
   /// Hangs a box on the trunk, moving with it: no velocity of any body changes.
@@ -37,6 +38,9 @@ class World {
 
   [[nodiscard]] RobotModel& robot() noexcept { return robot_; }
   [[nodiscard]] const RobotModel& robot() const noexcept { return robot_; }
+  /// What encoders see: the joints, but for a flexible hip roll drive its motor behind the gear.
+  [[nodiscard]] PerSide<LegVector> motor_angles_rad() const noexcept;
+  [[nodiscard]] PerSide<LegVector> motor_rates_rad_s() const noexcept;
   /// Floor forces of the last step.
   [[nodiscard]] const PerSide<SoleLoad>& loads() const noexcept { return floor_->loads(); }
   /// Way the soles have slid, each corner weighted with its share of the load.
@@ -58,6 +62,8 @@ class World {
 
   RobotModel robot_;
   OwnFloor floor_;
+  PerSide<HipSpring> hip_roll_;
+  bool has_flexible_hips_;
   double slip_m_ = 0.0;
   TrunkMass unloaded_trunk_;
   std::vector<Box> boxes_;  ///< as they were hung on

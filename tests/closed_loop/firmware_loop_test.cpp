@@ -40,7 +40,9 @@ struct InlineRobot {
 
   void operator()(InlineBus::FarEnd& bus) {
     if (is_dead) return bus.from_firmware.clear();
-    robot.serve(bus);
+    do {
+      robot.serve(bus);  // up to the end of a period: SYNC of the next tick waits behind the torques of this one
+    } while (!bus.from_firmware.empty());
     if (!robot.has_master()) robot.announce(bus);
   }
 

@@ -47,7 +47,7 @@ class FrameMonkey {
                            .counter = static_cast<std::uint8_t>(below(256))};
     const Side side = one_in(2) ? Side::kRight : Side::kLeft;
     const Node node = kNodes[below(kNodes.size())];
-    switch (below(8)) {
+    switch (below(11)) {
       case 0:
         return encode_sync(stamp);
       case 1:
@@ -62,6 +62,12 @@ class FrameMonkey {
         return encode_heartbeat(node, stamp, {.protocol_version = static_cast<std::uint8_t>(one_in(16) ? 2 : 1)});
       case 6:
         return encode_lockstep_served(stamp);
+      case 7:
+        return encode_leg_command(side, stamp, {.mode = LegMode::kPosition});
+      case 8:
+        return encode_leg_inertial(side, stamp, {});
+      case 9:
+        return encode_foot_inertial(side, stamp, {});
       default:
         return encode_emergency(node, stamp, {});
     }
@@ -111,6 +117,15 @@ void expect_plausible(const ImuSensors& imu) {
   expect_inside(imu.specific_force_body_m_s2, kSpecificForceMS2);
 }
 
+void expect_plausible(const LegInertialSensors& leg) {
+  expect_inside(std::array{leg.hip_roll_rate_rad_s}, kAngularRateRadS);
+}
+
+void expect_plausible(const FootInertialSensors& foot) {
+  expect_inside(std::array{foot.roll_rad, foot.pitch_rad}, kSoleTiltRad);
+  expect_inside(std::array{foot.specific_force_x_foot_m_s2, foot.specific_force_y_foot_m_s2}, kSpecificForceMS2);
+}
+
 TEST(FuzzCan, DecodersLetOnlyPlausibleValuesThrough) {
   FrameMonkey monkey(1);
   std::array<int, kRejectionCauses> outcomes{};
@@ -122,19 +137,26 @@ TEST(FuzzCan, DecodersLetOnlyPlausibleValuesThrough) {
     FootSensors foot;
     ImuSensors imu;
     LegCommand command;
+    LegInertialSensors leg_inertial;
+    FootInertialSensors foot_inertial;
     Heartbeat heartbeat;
     Emergency emergency;
-    for (const Rejection outcome : {decode_sync(frame, stamp), decode_leg_command(frame, stamp, command),
-                                    decode_leg_state(frame, stamp, leg, status), decode_foot_force(frame, stamp, foot),
-                                    decode_imu(frame, stamp, imu), decode_heartbeat(frame, stamp, heartbeat),
-                                    decode_emergency(frame, stamp, emergency), decode_lockstep_served(frame, stamp)}) {
+    for (const Rejection outcome :
+         {decode_sync(frame, stamp), decode_leg_command(frame, stamp, command),
+          decode_leg_state(frame, stamp, leg, status), decode_foot_force(frame, stamp, foot),
+          decode_imu(frame, stamp, imu), decode_heartbeat(frame, stamp, heartbeat),
+          decode_emergency(frame, stamp, emergency), decode_lockstep_served(frame, stamp),
+          decode_leg_inertial(frame, stamp, leg_inertial), decode_foot_inertial(frame, stamp, foot_inertial)}) {
       ++outcomes[static_cast<std::size_t>(outcome)];
     }
     expect_plausible(leg);
     expect_plausible(imu);
     expect_inside(foot.corner_force_n, kCornerForceN);
+    expect_plausible(leg_inertial);
+    expect_plausible(foot_inertial);
     expect_inside(command.torque_nm, kJointTorqueNm);
-    ASSERT_TRUE(command.mode == LegMode::kDamp || command.mode == LegMode::kTorque);
+    expect_inside(command.angle_rad, kJointAngleRad);
+    ASSERT_LE(command.mode, LegMode::kPosition);
     if (HasFatalFailure()) return;
   }
   for (const Rejection reached : {Rejection::kNone, Rejection::kUnknownIdentifier, Rejection::kWrongLength,
@@ -156,6 +178,8 @@ TEST(FuzzCan, TheReceiverAccountsForEveryFrameAndKeepsASaneSnapshot) {
       for (const Side side : kSides) {
         expect_plausible(snapshot.leg[index(side)]);
         expect_inside(snapshot.foot[index(side)].corner_force_n, kCornerForceN);
+        expect_plausible(snapshot.leg_inertial[index(side)]);
+        expect_plausible(snapshot.foot_inertial[index(side)]);
       }
       expect_plausible(snapshot.torso);
       if (HasFatalFailure()) return;

@@ -23,7 +23,8 @@ _SCENARIOS = {
     "binary": (_GARBAGE, ":1:1", "is not TOML"),
     "zero_byte": (b"seed = 1\0\n", ":1:9", "is not TOML"),
     "key_twice": (b"seed = 1\nseed = 2\n", ":2:8", "is not TOML"),
-    "too_large": (b"# a log, perhaps\n" * 5000, "", "larger than 64 KiB"),
+    "deep_key": (b".".join([b"a"] * 60000) + b" = 1\n", ":1:", "more than 1000 dots on a line"),
+    "too_large": (b"# a log, perhaps\n" * 10000, "", "larger than 128 KiB"),
     "string_for_a_number": (b'\nduration_s = "20"\n', ":2:14", 'duration_s is the string "20"; expected a number'),
     "float_for_an_integer": (b"seed = 1.5\n", ":1:8", "seed is the float 1.5; expected an integer"),
     "number_for_a_table": (b"reflex = 1\n", ":1:10", "expected a table"),
@@ -70,7 +71,7 @@ def test_all_mistakes_of_a_scenario_are_said_at_once(tmp_path: Path):
 
 @pytest.mark.parametrize(
     ("name", "said"),
-    [("missing.toml", "there is no such file"), (".", "is a directory"), ("/dev/zero", "larger than 64 KiB")],
+    [("missing.toml", "there is no such file"), (".", "is a directory"), ("/dev/zero", "larger than 128 KiB")],
 )
 def test_what_is_no_scenario_file_is_refused(tmp_path: Path, name: str, said: str):
     assert_refused(surefoot("run", name, cwd=tmp_path), BAD_INPUT, f"{name}: ", said)

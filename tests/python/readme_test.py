@@ -13,7 +13,7 @@ _ROOMS = [entry for entry in ROOT.iterdir() if entry.is_dir() and entry.name[0] 
 _DOCUMENTS = sorted([*ROOT.glob("*.md"), *(path for room in _ROOMS for path in room.rglob("*.md"))])
 _NAMES = [str(path.relative_to(ROOT)) for path in _DOCUMENTS]
 # These are run elsewhere (grids of runs by a few of their cells), or need a network.
-_LONG = re.compile(r"^tools/(demo|test)\b|^cmake |--live\b|^tools/surefoot (table|map|triggers|calibrate|sweep)\b")
+_LONG = re.compile(r"^tools/(demo|test)\b|^cmake |--live\b|^tools/surefoot (table|map|triggers|calibrate|sweep|floor-table)\b")
 
 
 def _is_there(path: str, document: Path) -> bool:

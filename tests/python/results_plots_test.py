@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from tools.plots import look
-from tools.plots.results import survival_map, survival_table
+from tools.plots.results import floor_traces, survival_map, survival_table
 from tools.plots.results.__main__ import FIGURES, main
 
 TIMES_S, MASSES_KG = [0.1, 0.2, 0.3], [5.0, 15.0]
@@ -36,6 +36,18 @@ TABLE = {
     "reference": {"name": "paper", "survive": 3, "printed": 4, "differ": 2},
     "cells": _cells("++f+l+", "++++--"),
 }  # fmt: skip
+
+
+def _walk(name: str, floor: str) -> dict:
+    falls = name == "off" and floor == "both"
+    times_s = [0.0, 0.5] if falls else [0.0, 0.5, 1.0]
+    roll_deg, pitch_deg = ([share * time_s for time_s in times_s] for share in (1.0, 0.5))
+    return {
+        "controllers": name, "floor": floor, "slope_deg": 2.0 * (floor == "both"), "falls": falls,
+        "time_s": times_s, "roll_deg": roll_deg, "pitch_deg": pitch_deg,
+    }  # fmt: skip
+
+
 AXES = {
     "columns": {"title": "load at, s", "labels": ["0.3", "0.9"]},
     "rows": {"title": "load, kg", "labels": ["5.0", "10.0", "15.0"]},
@@ -61,10 +73,15 @@ RESULTS = {
     "alarms": {"picture": "false_alarms", **PLANT, "cycles": 20, "false_alarms": 0, "run_margins_n": [2.5, 2.6, 3.0]},
     "map": {
         "picture": "map", "title": "a map", "plant": "thesis", **AXES, "of_each_cell": 2, "of_each_method": 12,
+        "method_title": "reflex",
         "methods": [
             {"method": "off", "survive": 3, "cells": [[2, 1], [0, 0], [0, 0]]},
             {"method": "capture", "survive": 12, "cells": [[2, 2], [2, 2], [2, 2]]},
         ],
+    },
+    "floor traces": {
+        "picture": "floor_traces", "seed": 1, "duration_s": 1.0,
+        "walks": [_walk(name, floor) for name in ("off", "extended") for floor in ("flat", "both")],
     },
 }  # fmt: skip
 
@@ -98,6 +115,18 @@ def test_the_methods_of_a_map_share_one_scale_and_carry_their_counts():
     assert {axis.images[0].get_clim() for axis in panels} == {(0.0, 1.0)}
     assert ["3 of 12" in panels[0].get_title(), "12 of 12" in panels[1].get_title()] == [True, True]
     assert np.asarray(panels[0].images[0].get_array()).tolist() == [[1.0, 0.5], [0.0, 0.0], [0.0, 0.0]]
+    plt.close(figure)
+
+
+def test_floors_run_downwards_sets_to_the_right_and_a_fall_is_marked():
+    look.apply()
+    figure = floor_traces.figure(RESULTS["floor traces"])
+    titles = [axis.get_title(loc="left") for axis in figure.axes]
+    assert ["controllers off" in title for title in titles] == [True, False, True, False]
+    assert ["1 flat" in title for title in titles] == [True, True, False, False]
+    assert [[text.get_text().strip() for text in axis.texts] for axis in figure.axes] == [[], [], ["falls"], []]
+    roll, pitch, *_ = figure.axes[1].lines
+    assert (roll.get_ydata()[-1], pitch.get_ydata()[-1]) == (1.0, 0.5)
     plt.close(figure)
 
 

@@ -155,7 +155,7 @@ def story(tmp_path_factory: pytest.TempPathFactory) -> Story:
             spans[intrude.__name__] = (begin, await_tick(running_tick() + _QUIET_TICKS))
         fault_tick = running_tick()
         for _ in range(2):  # one of them may have the counter of the foot's own last one
-            send_as("HEARTBEAT_FOOT_LEFT", nmt_state=_OPERATIONAL, protocol_version=2, tick=0)
+            send_as("HEARTBEAT_FOOT_LEFT", nmt_state=_OPERATIONAL, protocol_version=2, has_inertial_sensors=0, tick=0)
         controller.await_message("latched")
         await_tick(running_tick() + 500)
         controller.signal(signal.SIGINT)

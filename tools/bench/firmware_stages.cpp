@@ -47,8 +47,9 @@ std::vector<Stage> firmware_stages(const ControllerConfig& config, const SensorS
     keep(safety::check_sensors(config.plausibility, plausibility, sensors, true, sequence.standing_force_n, period_s));
   });
   safety::OutputGateState gate;
-  time("firmware: output gate",
-       [&] { keep(safety::step(config.gate, gate, torque_nm, sensors, safety::GateOrders{}, period_s)); });
+  time("firmware: output gate", [&] {
+    keep(safety::step(config.gate, gate, {.torque_nm = torque_nm}, sensors, safety::GateOrders{}, period_s));
+  });
   return stages;
 }
 

@@ -13,7 +13,7 @@ namespace {
 constexpr std::int64_t kTicksPerRound = 1600;
 
 double bus_watch_us(const scenario::Scenario& scenario, const std::vector<TickFrames>& ticks) {
-  run::BusWatch watch(scenario.sim, nullptr);
+  run::BusWatch watch(scenario, nullptr);
   const double start_us = cpu_us();
   for (const TickFrames& frames : ticks) {
     for (const auto* some : {&frames.sync, &frames.answers, &frames.commands, &frames.later}) {

@@ -14,6 +14,7 @@
 #include "tools/batch/journal.hpp"
 #include "tools/cli/bus_options.hpp"
 #include "tools/cli/picture.hpp"
+#include "tools/floor/floor_table.hpp"
 #include "tools/map/map_spec.hpp"
 #include "tools/run/run_folder.hpp"
 #include "tools/table/grid.hpp"
@@ -132,6 +133,8 @@ run::ExitCode with_batch_messages(const std::string& name, const std::function<r
     fmt::print(stderr, "{}\n", error.what());
     return run::ExitCode::kBadInput;
   } catch (const table::BadList& error) {
+    return usage(error.what());
+  } catch (const floor::BadSeeds& error) {
     return usage(error.what());
   } catch (const UsageError& error) {
     return usage(error.what());

@@ -12,6 +12,7 @@
 #include "tools/run/bus_log_load.hpp"
 #include "tools/run/candump_log.hpp"
 #include "tools/run/lockstep_run.hpp"
+#include "tools/scenario/bus_traffic.hpp"
 #include "tools/scenario/scenario.hpp"
 
 namespace surefoot::cli {
@@ -95,7 +96,7 @@ std::string text_of(const sim_hw::BusBudget& budget, const run::Verdict& verdict
   }
   const sim_hw::TickChain& chain = budget.chain;
   text += fmt::format(
-      "a tick at worst: SYNC and states {:.1f} + nodes {:.1f} + computing {:.1f} + torques {:.1f} + a heartbeat "
+      "a tick at worst: SYNC and states {:.1f} + nodes {:.1f} + computing {:.1f} + commands {:.1f} + a heartbeat "
       "{:.1f}\n"
       "  = {:.1f} of {:.1f} us; {:.1f} us left, room for {} emergencies\n",
       us(chain.sync_and_states_ns), us(chain.node_ns), us(chain.compute_ns), us(chain.commands_ns),
@@ -109,7 +110,7 @@ run::ExitCode show_budget(const BusArguments& arguments) {
     const scenario::Scenario scenario = arguments.scenario_file.empty()
                                             ? scenario::load_default(arguments.overrides)
                                             : scenario::load(arguments.scenario_file, arguments.overrides);
-    const sim_hw::BusBudget budget = sim_hw::bus_budget(scenario.sim.bus, scenario.firmware.period_s);
+    const sim_hw::BusBudget budget = sim_hw::bus_budget(scenario.sim.bus, scenario.firmware.period_s, scenario::bus_traffic(scenario));
     const run::Verdict verdict = run::run_lockstep(scenario, run::RunOptions{});
     fmt::print("{}", arguments.is_json ? json_of(budget, verdict).dump(2) + "\n" : text_of(budget, verdict));
     return run::ExitCode::kVerdictHolds;

@@ -49,6 +49,8 @@ int main(int argc, char** argv) {
   surefoot::cli::add_table(app, result);
   surefoot::cli::add_triggers(app, result);
   surefoot::cli::add_map(app, result);
+  surefoot::cli::add_floor_table(app, result);
+  surefoot::cli::add_nominal(app, result);
   surefoot::cli::add_faults(app, result);
   surefoot::cli::add_firmware(app, result);
   surefoot::cli::add_sim(app, result);
@@ -57,6 +59,7 @@ int main(int argc, char** argv) {
   surefoot::cli::add_replay(app, result);
   surefoot::cli::add_keys(app, result);
   surefoot::cli::add_states(app, result);
+  surefoot::cli::add_stages(app, result);
   surefoot::cli::add_bus(app, result);
   surefoot::cli::add_doctor(app, result);
   surefoot::cli::add_bench(app, result);

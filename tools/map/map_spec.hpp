@@ -23,7 +23,9 @@ struct Axis {
 /// row, its column and every value of `repeats`, those that survive.
 struct MapSpec {
   std::string title;
-  std::vector<std::string> methods;  ///< of reflex.method
+  std::string method_key = "reflex.method";
+  std::string method_title = "reflex";  ///< what stands before a method's name
+  std::vector<std::string> methods;     ///< values of `method_key`
   std::vector<std::string> set;      ///< overrides of every run
   Axis columns;
   Axis rows;

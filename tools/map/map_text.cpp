@@ -39,7 +39,7 @@ std::string map_text(const SurvivalMap& map) {
   std::string text =
       fmt::format("{}, plant {}; survivors of {} in each cell\n", spec.title, map.plant, spec.repeats.values.size());
   for (std::size_t method = 0; method < spec.methods.size(); ++method) {
-    text += fmt::format("\n  reflex {}: {} of {} survive\n  {:>{}}   {}\n  {:{}} ", spec.methods[method],
+    text += fmt::format("\n  {} {}: {} of {} survive\n  {:>{}}   {}\n  {:{}} ", spec.method_title, spec.methods[method],
                         map.total(method), map.runs(), spec.rows.title, row_width, spec.columns.title, "", row_width);
     for (const AxisValue& column : spec.columns.values) text += fmt::format("  {:>{}}", column.label, width);
     for (std::size_t row = 0; row < spec.rows.values.size(); ++row) {
@@ -90,6 +90,7 @@ std::string to_json(const SurvivalMap& map) {
               {"repeats", labels_of(spec.repeats)},
               {"of_each_cell", spec.repeats.values.size()},
               {"of_each_method", map.runs()},
+              {"method_title", spec.method_title},
               {"methods", panels}}
              .dump(2) +
          "\n";

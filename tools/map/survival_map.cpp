@@ -49,7 +49,7 @@ double last_disturbance_s(const scenario::Scenario& scenario) {
 batch::Trial trial_of(const MapSpec& spec, const batch::Batch& base, const std::string& method,
                       const std::vector<const AxisValue*>& values) {
   const Labels labels{values[0]->label, values[1]->label, values[2]->label};
-  batch::Trial trial{{"reflex.method=" + method}};
+  batch::Trial trial{{spec.method_key + "=" + method}};
   for (const std::string& text : spec.set) trial.overrides.push_back(filled_in(text, labels));
   for (const AxisValue* value : values) {
     for (const std::string& text : value->overrides) trial.overrides.push_back(filled_in(text, labels));

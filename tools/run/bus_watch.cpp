@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim_hw/bus/bus_budget.hpp"
+#include "tools/scenario/bus_traffic.hpp"
 
 namespace surefoot::run {
 namespace {
@@ -32,16 +33,17 @@ BusTraffic traffic_of(const sim_hw::BusTally& tally, const sim_hw::SingleBusBudg
 
 }  // namespace
 
-BusWatch::BusWatch(const sim_hw::SimConfig& sim, host::RunRecorder* recorder)
-    : config_(sim.bus),
-      period_s_(sim.control_period_s),
-      period_ns_(std::llround(sim.control_period_s * 1e9)),
+BusWatch::BusWatch(const scenario::Scenario& scenario, host::RunRecorder* recorder)
+    : config_(scenario.sim.bus),
+      traffic_(scenario::bus_traffic(scenario)),
+      period_s_(scenario.sim.control_period_s),
+      period_ns_(std::llround(scenario.sim.control_period_s * 1e9)),
       recorder_(recorder),
-      timeline_(sim.bus, sim.control_period_s, sim.seed) {}
+      timeline_(scenario.sim.bus, scenario.sim.control_period_s, scenario.sim.seed) {}
 
 std::vector<BusTraffic> BusWatch::finish(std::int64_t ticks) {
   timeline_.finish();
-  const sim_hw::BusBudget budget = sim_hw::bus_budget(config_, period_s_);
+  const sim_hw::BusBudget budget = sim_hw::bus_budget(config_, period_s_, traffic_);
   std::vector<BusTraffic> buses;
   for (std::uint32_t bus = 0; bus < timeline_.buses(); ++bus) {
     buses.push_back(traffic_of(timeline_.tally(bus), budget.buses[bus], ticks * period_ns_));

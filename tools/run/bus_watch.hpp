@@ -7,6 +7,7 @@
 #include "firmware/host/run_recorder.hpp"
 #include "sim_hw/bus/tick_timeline.hpp"
 #include "tools/run/verdict.hpp"
+#include "tools/scenario/scenario.hpp"
 
 namespace surefoot::run {
 
@@ -14,7 +15,7 @@ namespace surefoot::run {
 class BusWatch final : public host::BusTap {
  public:
   /// @param recorder  may be null; outlives the watch
-  BusWatch(const sim_hw::SimConfig&, host::RunRecorder* recorder);
+  BusWatch(const scenario::Scenario&, host::RunRecorder* recorder);
 
   void on_frame(const can::CanFrame& frame) noexcept override {
     timeline_.take(frame);
@@ -34,6 +35,7 @@ class BusWatch final : public host::BusTap {
 
  private:
   sim_hw::BusConfig config_;
+  sim_hw::TrafficOptions traffic_;
   double period_s_;
   std::int64_t period_ns_;
   host::RunRecorder* recorder_;

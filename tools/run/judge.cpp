@@ -20,10 +20,12 @@ constexpr double kStandingWindow_s = 0.5;
 Judge::Judge(const scenario::Scenario& scenario)
     : limits_(scenario.limits),
       walk_(scenario.firmware.walk),
+      floor_(scenario.sim.contact),
+      against_vertical_(scenario.firmware.method == WalkMethod::kFloorWalk),
       method_(scenario.firmware.reflex.method),
       torque_limit_nm_(std::min(scenario.sim.drive.torque_limit_nm, scenario.firmware.gate.torque_limit_nm)),
       period_s_(scenario.firmware.period_s),
-      standing_s_(scenario.firmware.reflex.standing_s),
+      standing_s_(against_vertical_ ? scenario.firmware.floor.pattern.standing_s : scenario.firmware.reflex.standing_s),
       time_zero_s_(scenario.sim.time_zero_s),
       payload_count_(scenario.sim.payloads.size()),
       removal_count_(static_cast<std::size_t>(std::ranges::count_if(
@@ -50,8 +52,10 @@ void Judge::observe(const TickOutput& output, const sim_hw::GroundTruth& truth,
   const double time_s = output.tick * period_s_ - time_zero_s_;
   partial_.ended_at_s = time_s;
   const bool is_scored = time_s >= 0.0;
-  (is_scored ? partial_.torso_pitch_deg : partial_.start_up_pitch_deg).include(truth.pitch_rad * kDegreesPerRadian);
-  (is_scored ? partial_.torso_roll_deg : partial_.start_up_roll_deg).include(truth.roll_rad * kDegreesPerRadian);
+  const sim_hw::Inclination torso =
+      against_vertical_ ? sim_hw::inclination(truth, floor_) : sim_hw::Inclination{truth.roll_rad, truth.pitch_rad};
+  (is_scored ? partial_.torso_pitch_deg : partial_.start_up_pitch_deg).include(torso.pitch_rad * kDegreesPerRadian);
+  (is_scored ? partial_.torso_roll_deg : partial_.start_up_roll_deg).include(torso.roll_rad * kDegreesPerRadian);
 
   if (is_scored) {
     observe_torques(truth);

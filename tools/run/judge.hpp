@@ -5,6 +5,7 @@
 
 #include "firmware/core/controller.hpp"
 #include "sim_hw/ground_truth.hpp"
+#include "sim_hw/inclination.hpp"
 #include "tools/run/event_watch.hpp"
 #include "tools/run/verdict.hpp"
 #include "tools/scenario/scenario.hpp"
@@ -46,6 +47,9 @@ class Judge {
 
   scenario::VerdictLimits limits_;
   gait::WalkParameters walk_;
+  sim_hw::ContactConfig floor_;
+  bool against_vertical_;  ///< torso angles: the floor walk's controllers answer for them; else against the floor's
+                           ///< normal
   decision::ReflexMethod method_;
   double torque_limit_nm_;
   double period_s_;

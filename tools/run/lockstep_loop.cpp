@@ -34,7 +34,7 @@ LockstepLoop::LockstepLoop(const scenario::Scenario& scenario, host::RunRecorder
       period_s_(scenario.firmware.period_s),
       time_zero_s_(scenario.sim.time_zero_s),
       telemetry_every_(scenario.telemetry.every_ticks),
-      watch_(scenario.sim, recorder),
+      watch_(scenario, recorder),
       bus_(&watch_),
       firmware_(scenario.firmware),
       robot_(std::make_unique<sim_hw::SimulatedRobot>(scenario.sim, standing_pose(scenario.firmware))),

@@ -105,7 +105,7 @@ class Replay {
       is_in_tick_ = true;
       logged_tick_ = stamp.tick;
     } else if (has_commands_ && frame.identifier == can::heartbeat_identifier(can::Node::kController)) {
-      end_stretch();  // announced after the torques, not after SYNC: the firmware has started anew
+      end_stretch();  // announced after the commands, not after SYNC: the firmware has started anew
       firmware_ = host::FirmwareNode(config_);
     }
     (is_from_controller(frame) ? stretch_.from_controller : stretch_.from_nodes).push_back(frame);

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 
-#include "firmware/core/decision/reflex_sequence.hpp"
 #include "firmware/core/decision/tick_time.hpp"
 #include "tools/scenario/scenario.hpp"
 
@@ -16,7 +15,7 @@ struct Schedule {
 
 [[nodiscard]] inline Schedule schedule_of(const scenario::Scenario& scenario) noexcept {
   const ControllerConfig& firmware = scenario.firmware;
-  const double zero_s = decision::time_zero_s(firmware.walk, firmware.reflex, firmware.detector);
+  const double zero_s = time_zero_s(firmware);
   const std::int64_t zero_tick = decision::first_tick_at(zero_s, firmware.period_s);
   return {zero_tick, zero_tick + decision::first_tick_at(scenario.duration_s, firmware.period_s)};
 }

@@ -111,7 +111,7 @@ void fill_in_counters(const TwoProcessOptions& options, Verdict& verdict) {
 
 /// Weighs what crossed the bus from the first SYNC on, as a run in one process does beside the loop.
 void weigh_bus(const scenario::Scenario& scenario, const std::filesystem::path& bus_log, Verdict& verdict) {
-  BusWatch watch(scenario.sim, nullptr);
+  BusWatch watch(scenario, nullptr);
   CandumpLogReader log(bus_log);
   std::int64_t ticks = 0;
   while (const std::optional<LoggedFrame> logged = log.next()) {

@@ -9,7 +9,9 @@
 #include "sim_hw/config_check.hpp"
 #include "sim_hw/faults/fault_check.hpp"
 #include "sim_hw/nodes/command_queue.hpp"
+#include "tools/scenario/bus_traffic.hpp"
 #include "tools/scenario/field_table.hpp"
+#include "tools/scenario/preset.hpp"
 
 namespace surefoot::scenario {
 namespace {
@@ -173,7 +175,7 @@ void check_bus(const Scenario& scenario, std::vector<Finding>& findings) {
                         "raise bus.data_bit_rate_hz: the data phase is the fast one"});
   }
   if (findings.size() > findings_before) return;
-  if (const auto refused = sim_hw::refuse_overload(bus, scenario.firmware.period_s)) {
+  if (const auto refused = sim_hw::refuse_overload(bus, scenario.firmware.period_s, bus_traffic(scenario))) {
     findings.push_back({{"control_period_s", "bus.count", "bus.data_bit_rate_hz", "bus.nominal_bit_rate_hz",
                          "bus.node_latency_s", "bus.node_jitter_s", "bus.compute_s"},
                         refused->statement,
@@ -243,6 +245,17 @@ void check_removals(const Scenario& scenario, std::vector<Finding>& findings) {
   }
 }
 
+void check_plates(const Scenario& scenario, std::vector<Finding>& findings) {
+  const sim_hw::TerrainConfig& terrain = scenario.sim.terrain;
+  const double most_per_m2 = 1.0 / (terrain.plate_edge_m * terrain.plate_edge_m);
+  if (terrain.plates_per_m2 <= most_per_m2) return;
+  findings.push_back({{"floor.plates_per_m2", "floor.plate_edge_m"},
+                      fmt::format("floor.plates_per_m2 is {}; expected at most {:.4g}, one on each square of the size "
+                                  "of a plate",
+                                  terrain.plates_per_m2, most_per_m2),
+                      "scatter fewer plates, or lower floor.plate_edge_m"});
+}
+
 /// Kinds of fault that their target, signal or value cannot have.
 void check_faults(const Scenario& scenario, std::vector<Finding>& findings) {
   for (std::size_t place = 0; place < scenario.sim.faults.size(); ++place) {
@@ -265,7 +278,7 @@ Finding refusal(const Field& field, const std::string& key, const std::string& v
 
 std::vector<Finding> check_ranges(const Scenario& scenario) {
   Scenario checked = scenario;
-  Scenario defaults = preset(scenario.plant);
+  Scenario defaults = preset(preset_names(scenario));
   std::vector<Finding> findings;
   const std::vector<Field> table = fields(checked);
   const std::vector<Field> default_table = fields(defaults);
@@ -274,6 +287,7 @@ std::vector<Finding> check_ranges(const Scenario& scenario) {
   }
   check_elements("payload", checked.sim.payloads, kMaxPayloads, findings);
   check_elements("push", checked.sim.pushes, sim_hw::kMaxPushes, findings);
+  check_elements("patch", checked.sim.terrain.patches, sim_hw::kMaxPatches, findings);
   check_elements("fault", checked.sim.faults, sim_hw::kMaxFaults, findings);
   return findings;
 }
@@ -291,6 +305,7 @@ std::vector<Finding> check_relations(const Scenario& scenario) {
   check_latency(scenario, findings);
   check_bus(scenario, findings);
   check_removals(scenario, findings);
+  check_plates(scenario, findings);
   check_faults(scenario, findings);
   check_shared_numbers(scenario, findings);
   if (findings.empty()) check_simulator(scenario, findings);

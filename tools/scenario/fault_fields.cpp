@@ -8,7 +8,8 @@ namespace {
 constexpr std::array kKinds{"drop",  "duplicate", "delay",     "corrupt", "swap",   "stuck",   "drift",
                             "noise", "saturate",  "dead_node", "restart", "babble", "bus_off", "link_down"};
 constexpr std::array kTargets{"leg_right", "leg_left", "foot_right", "foot_left", "torso", "controller", "bus"};
-constexpr std::array kSignals{"all", "angle", "rate", "torque", "force", "gyro", "accelerometer"};
+constexpr std::array kSignals{"all",  "angle",         "rate",     "torque",       "force",
+                              "gyro", "accelerometer", "hip_gyro", "inclinometer", "foot_accelerometer"};
 constexpr std::array kElements{"all",        "hip_yaw",    "hip_roll",    "hip_pitch", "knee_pitch", "ankle_pitch",
                                "ankle_roll", "front_left", "front_right", "rear_left", "rear_right", "x",
                                "y",          "z"};

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim_hw/plant_config.hpp"
 #include "tools/scenario/field.hpp"
 
 namespace surefoot::scenario {
@@ -53,5 +54,8 @@ void append_run_fields(std::vector<Field>& table, Scenario& scenario);
 void append_firmware_fields(std::vector<Field>& table, Scenario& scenario);
 void append_safety_fields(std::vector<Field>& table, Scenario& scenario);
 void append_simulator_fields(std::vector<Field>& table, Scenario& scenario);
+void append_floor_walk_fields(std::vector<Field>& table, Scenario& scenario);
+/// Those of the rough floor that stand in [floor]; patches have tables of their own.
+void append_terrain_fields(std::vector<Field>& table, sim_hw::TerrainConfig& terrain);
 
 }  // namespace surefoot::scenario

@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include "tools/scenario/field_builders.hpp"
+#include "tools/scenario/preset.hpp"
 
 namespace surefoot::scenario {
 namespace {
 
-constexpr std::array kRobots{"elkahlout"};
-constexpr std::array kPlants{"thesis", "nominal"};
 constexpr std::array kPayloadInertias{"thesis", "exact"};
 
 }  // namespace
@@ -30,6 +29,7 @@ std::vector<Field> fields(Scenario& scenario) {
   append_firmware_fields(table, scenario);
   append_safety_fields(table, scenario);
   append_simulator_fields(table, scenario);
+  if (scenario.robot == "khr2") append_floor_walk_fields(table, scenario);
   table.insert(table.end(), {Field{"limits.max_abs_pitch_deg",
                                    &scenario.limits.max_abs_pitch_deg,
                                    {0.0, 90.0},
@@ -87,20 +87,8 @@ std::string element_key(std::string_view array, std::size_t place, std::string_v
   return fmt::format("{}[{}].{}", array, place, key);
 }
 
-bool is_array_of_tables(std::string_view key) { return key == "payload" || key == "push" || key == "fault"; }
-
-Scenario preset(const std::string& plant) {
-  Scenario scenario;
-  scenario.plant = plant;
-  if (plant == "thesis") {
-    // Calibrated so that the unaided robot falls as the thesis' does (Table 4.1): 2.5 kg survived, 5 kg not, at any
-    // instant. Toes of 0.117 to 0.1228 m do; the longest is taken, where halving the physics step changes no verdict.
-    // A calibration, then, not a prediction.
-    scenario.firmware.geometry.sole_heel_m = 0.0923;
-    scenario.firmware.geometry.sole_toe_m = 0.1228;
-    scenario.sim.contact.friction = 0.11;
-  }
-  return scenario;
+bool is_array_of_tables(std::string_view key) {
+  return key == "payload" || key == "push" || key == "patch" || key == "fault";
 }
 
 }  // namespace surefoot::scenario

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cstddef>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -15,9 +17,12 @@
 namespace surefoot::scenario {
 namespace {
 
-/// More than the longest effective scenario, all payloads, pushes and faults in it; keeps out /dev/zero, mistaken logs,
-/// and keys of so many parts that the parser's recursion would overflow the stack.
-constexpr std::size_t kLargestFile = 64 * 1024;
+/// More than the longest effective scenario, all payloads, pushes, patches and faults in it; keeps out /dev/zero and
+/// mistaken logs.
+constexpr std::size_t kLargestFile = 128 * 1024;
+
+/// Of one line. A key of some ten thousand parts would overflow the stack in the parser's recursion.
+constexpr std::ptrdiff_t kMostDots = 1000;
 
 /// tools/scenarios/main.toml without its comments.
 constexpr std::string_view kMainJob = R"(plant = "thesis"
@@ -59,12 +64,24 @@ std::string read_text(const std::filesystem::path& file) {
     fail(name, fmt::format("cannot be read: {}", std::strerror(errno)), "check the permissions of the file");
   }
   if (text.size() > kLargestFile) {
-    fail(name, "is larger than 64 KiB; expected a scenario file", "name the scenario, not a log");
+    fail(name, "is larger than 128 KiB; expected a scenario file", "name the scenario, not a log");
   }
   return text;
 }
 
+void refuse_deep_keys(const std::string& name, std::string_view text) {
+  for (std::size_t line = 1; !text.empty(); ++line) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    if (std::ranges::count(text.substr(0, end), '.') > kMostDots) {
+      fail(fmt::format("{}:{}", name, line), "has more than 1000 dots on a line; expected a scenario",
+           "name the scenario; surefoot keys shows every key");
+    }
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+}
+
 Document parse(const std::string& name, std::string_view text) {
+  refuse_deep_keys(name, text);
   try {
     return {name, toml::parse(text), {}};
   } catch (const toml::parse_error& error) {
@@ -96,6 +113,11 @@ void share_numbers(Scenario& scenario) {
   scenario.sim.geometry = scenario.firmware.geometry;
   scenario.sim.control_period_s = scenario.firmware.period_s;
   scenario.firmware.servo.torque_limit_nm = scenario.firmware.gate.torque_limit_nm;
+  ControllerConfig& firmware = scenario.firmware;
+  firmware.method = scenario.robot == "khr2" ? WalkMethod::kFloorWalk : WalkMethod::kPayloadWalk;
+  firmware.floor.stabilizer.sway_amplitude.pattern_sway_m = firmware.walk.sway_m;
+  firmware.floor.stabilizer.step_adjustment.com_height_m = firmware.floor.pattern.com_height_m;
+  firmware.floor.nominal = stabilizer::recorded_table(firmware.floor.pattern.step_length_m);
 }
 
 void validate(const Scenario& scenario) {

@@ -43,6 +43,7 @@ struct TelemetryOptions {
 struct Scenario {
   std::string robot = "elkahlout";
   std::string plant = "nominal";
+  std::string controllers = "extended";  ///< stabilizer.set: those of `khr2` that are on unless told otherwise
   double duration_s = 20.0;
   ControllerConfig firmware{};
   sim_hw::SimConfig sim{};

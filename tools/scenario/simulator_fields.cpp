@@ -29,6 +29,8 @@ void append_drives(std::vector<Field>& table, sim_hw::DriveConfig& drive) {
                                    {0.0, 10.0},
                                    "kg m2",
                                    "rotor inertia reflected to the joint"},
+                             array_field("drive.rotor_share", drive.rotor_share, {0.0, 10.0}, "1",
+                                         "share of it that each joint has, from hip yaw to ankle roll"),
                              Field{"drive.hip_knee_friction_nm_s_per_rad",
                                    &drive.hip_knee_friction_nm_s_per_rad,
                                    {0.0, 1000.0},
@@ -43,10 +45,24 @@ void append_drives(std::vector<Field>& table, sim_hw::DriveConfig& drive) {
                                    &drive.torque_limit_nm,
                                    {0.0, 300.0, true},
                                    "N m",
-                                   "largest torque of a motor; where not given that of the gate"}});
+                                   "largest torque of a motor; where not given that of the gate"},
+                             array_field("drive.servo_stiffness_nm_per_rad", drive.servo_stiffness_nm_per_rad,
+                                         {0.0, 1e6}, "N m/rad", "stiffness of the leg boards' position servo"),
+                             array_field("drive.servo_damping_nm_s_per_rad", drive.servo_damping_nm_s_per_rad,
+                                         {0.0, 1e4}, "N m s/rad", "damping of the leg boards' position servo"),
+                             Field{"drive.hip_roll_stiffness_nm_per_rad",
+                                   &drive.hip_roll_stiffness_nm_per_rad,
+                                   {0.0, 1e6},
+                                   "N m/rad",
+                                   "stiffness between hip roll motor and leg, 0 for a rigid hip"},
+                             Field{"drive.hip_roll_damping_nm_s_per_rad",
+                                   &drive.hip_roll_damping_nm_s_per_rad,
+                                   {0.0, 100.0},
+                                   "N m s/rad",
+                                   "damping between hip roll motor and leg"}});
 }
 
-void append_contact(std::vector<Field>& table, sim_hw::ContactConfig& contact) {
+void append_floor(std::vector<Field>& table, sim_hw::ContactConfig& contact, sim_hw::TerrainConfig& terrain) {
   table.insert(
       table.end(),
       {Field{"floor.friction", &contact.friction, {0.0, 2.0}, "1", "coefficient of friction between sole and floor"},
@@ -59,28 +75,33 @@ void append_contact(std::vector<Field>& table, sim_hw::ContactConfig& contact) {
              &contact.slope_roll_deg,
              {-15.0, 15.0},
              "deg",
-             "slope of the floor across, positive downhill to the right"},
-       choice_field("contact.model", contact.model, kContactModels, "model of the ground contact"),
-       Field{"contact.normal_stiffness_n_per_m",
-             &contact.normal_stiffness_n_per_m,
-             {1e3, 1e8},
-             "N/m",
-             "normal stiffness of a corner"},
-       Field{"contact.normal_damping_n_s_per_m",
-             &contact.normal_damping_n_s_per_m,
-             {0.0, 1e6},
-             "N s/m",
-             "normal damping of a corner"},
-       Field{"contact.tangential_stiffness_n_per_m",
-             &contact.tangential_stiffness_n_per_m,
-             {1.0, 1e8},
-             "N/m",
-             "tangential stiffness of a corner"},
-       Field{"contact.tangential_damping_n_s_per_m",
-             &contact.tangential_damping_n_s_per_m,
-             {0.0, 1e6},
-             "N s/m",
-             "tangential damping of a corner"}});
+             "slope of the floor across, positive downhill to the right"}});
+  append_terrain_fields(table, terrain);
+}
+
+void append_contact(std::vector<Field>& table, sim_hw::ContactConfig& contact) {
+  table.insert(table.end(),
+               {choice_field("contact.model", contact.model, kContactModels, "model of the ground contact"),
+                Field{"contact.normal_stiffness_n_per_m",
+                      &contact.normal_stiffness_n_per_m,
+                      {1e3, 1e8},
+                      "N/m",
+                      "normal stiffness of a corner"},
+                Field{"contact.normal_damping_n_s_per_m",
+                      &contact.normal_damping_n_s_per_m,
+                      {0.0, 1e6},
+                      "N s/m",
+                      "normal damping of a corner"},
+                Field{"contact.tangential_stiffness_n_per_m",
+                      &contact.tangential_stiffness_n_per_m,
+                      {1.0, 1e8},
+                      "N/m",
+                      "tangential stiffness of a corner"},
+                Field{"contact.tangential_damping_n_s_per_m",
+                      &contact.tangential_damping_n_s_per_m,
+                      {0.0, 1e6},
+                      "N s/m",
+                      "tangential damping of a corner"}});
 }
 
 void append_sensors(std::vector<Field>& table, sim_hw::SensorConfig& sensor) {
@@ -101,7 +122,39 @@ void append_sensors(std::vector<Field>& table, sim_hw::SensorConfig& sensor) {
              &sensor.accelerometer_noise_m_s2,
              {0.0, 100.0},
              "m/s2",
-             "standard deviation of an accelerometer"}});
+             "standard deviation of an accelerometer"},
+       flag_field("sensor.has_inertial_legs", sensor.has_inertial_legs,
+                  "gyros at the hips, inclinometers and accelerometers in the feet"),
+       Field{"sensor.hip_gyro_range_rad_s",
+             &sensor.hip_gyro_range_rad_s,
+             {0.0, 16.0, true},
+             "rad/s",
+             "largest rate that a hip gyro tells"},
+       Field{"sensor.inclinometer_range_rad",
+             &sensor.inclinometer_range_rad,
+             {0.0, 1.5, true},
+             "rad",
+             "largest angle that a foot's inclinometer tells"},
+       Field{"sensor.foot_accelerometer_range_m_s2",
+             &sensor.foot_accelerometer_range_m_s2,
+             {0.0, 160.0, true},
+             "m/s2",
+             "largest acceleration that a foot's accelerometer tells"},
+       Field{"sensor.hip_gyro_noise_rad_s",
+             &sensor.hip_gyro_noise_rad_s,
+             {0.0, 10.0},
+             "rad/s",
+             "standard deviation of a hip gyro"},
+       Field{"sensor.inclinometer_noise_rad",
+             &sensor.inclinometer_noise_rad,
+             {0.0, 1.0},
+             "rad",
+             "standard deviation of a foot's inclinometer"},
+       Field{"sensor.foot_accelerometer_noise_m_s2",
+             &sensor.foot_accelerometer_noise_m_s2,
+             {0.0, 100.0},
+             "m/s2",
+             "standard deviation of a foot's accelerometer"}});
 }
 
 void append_bus(std::vector<Field>& table, sim_hw::SimConfig& sim) {
@@ -133,6 +186,7 @@ void append_simulator_fields(std::vector<Field>& table, Scenario& scenario) {
   sim_hw::SimConfig& sim = scenario.sim;
   append_masses(table, sim.mass);
   append_drives(table, sim.drive);
+  append_floor(table, sim.contact, sim.terrain);
   append_contact(table, sim.contact);
   append_sensors(table, sim.sensor);
   append_bus(table, sim);

@@ -11,6 +11,7 @@
 
 #include "tools/scenario/checks.hpp"
 #include "tools/scenario/field_table.hpp"
+#include "tools/scenario/preset.hpp"
 #include "tools/scenario/suggestion.hpp"
 
 namespace surefoot::scenario {
@@ -59,17 +60,18 @@ struct Place {
 class Reader {
  public:
   explicit Reader(const Document& document) : document_(document) {
-    const std::string plant = document.root["plant"].value_or(std::string("thesis"));
-    defaults_ = preset(plant == "nominal" ? plant : "thesis");
-    const std::string method = document.root["reflex"]["method"].value_or(std::string());
-    if (method == "modified") defaults_.firmware.reflex.settling_s = 4.0;
-    if (method == "capture") {
-      defaults_.firmware.reflex.settling_s = 3.0;
-      defaults_.firmware.detector.relearning_s = 4.8;  // a load at a side makes the two steps of a cycle differ
-    }
+    const auto text = [&document](const char* key, const std::string& otherwise) {
+      return document.root.at_path(key).value_or(otherwise);
+    };
+    PresetNames names;
+    names.robot = text("robot", names.robot);
+    names.plant = text("plant", names.plant);
+    names.controllers = text("stabilizer.set", names.controllers);
+    names.reflex = text("reflex.method", names.reflex);
+    defaults_ = preset(names);
     scenario_ = defaults_;
     for (const Field& field : fields(scenario_)) known_keys_.push_back(field.key);
-    known_keys_.insert(known_keys_.end(), {"payload", "push", "fault"});
+    known_keys_.insert(known_keys_.end(), {"payload", "push", "patch", "fault"});
     for (const std::string& key : std::vector<std::string>(known_keys_)) {
       if (const std::size_t dot = key.find('.'); dot != std::string::npos) tables_.insert(key.substr(0, dot));
     }
@@ -108,6 +110,7 @@ class Reader {
         places_[key] = place;
         if (key == "payload") read_elements(key, node, scenario_.sim.payloads, kMaxPayloads);
         if (key == "push") read_elements(key, node, scenario_.sim.pushes, sim_hw::kMaxPushes);
+        if (key == "patch") read_elements(key, node, scenario_.sim.terrain.patches, sim_hw::kMaxPatches);
         if (key == "fault") read_elements(key, node, scenario_.sim.faults, sim_hw::kMaxFaults);
       } else if (prefix.empty() && tables_.contains(key)) {
         read_known_table(key, node, place, known, defaults);

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "tools/scenario/field_table.hpp"
+#include "tools/scenario/preset.hpp"
 
 namespace surefoot::scenario {
 namespace {
@@ -40,6 +41,7 @@ std::string to_toml(const Scenario& scenario) {
   std::string table;
   if (written.sim.payloads.empty()) text += "payload = []\n";
   if (written.sim.pushes.empty()) text += "push = []\n";
+  if (written.sim.terrain.patches.empty()) text += "patch = []\n";
   if (written.sim.faults.empty()) text += "fault = []\n";
   for (const Field& field : fields(written)) {
     if (table_of(field.key) != table) {
@@ -56,6 +58,10 @@ std::string to_toml(const Scenario& scenario) {
     text += "\n[[push]]\n";
     for (const Field& field : fields(push)) write_line(text, field);
   }
+  for (sim_hw::PatchConfig& patch : written.sim.terrain.patches) {
+    text += "\n[[patch]]\n";
+    for (const Field& field : fields(patch)) write_line(text, field);
+  }
   for (sim_hw::FaultConfig& fault : written.sim.faults) {
     text += "\n[[fault]]\n";
     for (const Field& field : fields(fault)) write_line(text, field);
@@ -64,7 +70,7 @@ std::string to_toml(const Scenario& scenario) {
 }
 
 std::string describe_keys() {
-  Scenario defaults = preset("thesis");
+  Scenario defaults = preset({});
   std::string text =
       "Keys of a scenario file, and of --set KEY=VALUE. Defaults are those of the plant \"thesis\";\n"
       "the plant \"nominal\" has a longer sole and more friction.\n";
@@ -85,6 +91,10 @@ std::string describe_keys() {
   text += fmt::format("\n[[push]], up to {} of them; --set push.0.force_n=[0,200,0] and so on, as with payloads\n",
                       sim_hw::kMaxPushes);
   for (const Field& field : fields(push)) describe(text, "push.N." + field.key, field);
+  sim_hw::PatchConfig patch;
+  text += fmt::format("\n[[patch]], up to {} of them; --set patch.0.kind=ramp and so on, as with payloads\n",
+                      sim_hw::kMaxPatches);
+  for (const Field& field : fields(patch)) describe(text, "patch.N." + field.key, field);
   sim_hw::FaultConfig fault;
   text += fmt::format("\n[[fault]], up to {} of them; --set fault.0.kind=corrupt and so on, as with payloads\n",
                       sim_hw::kMaxFaults);

@@ -29,12 +29,14 @@ const std::map<std::string, KeyKind>& known_keys() {
     scenario::Scenario scenario;
     sim_hw::PayloadConfig payload;
     sim_hw::PushConfig push;
+    sim_hw::PatchConfig patch;
     sim_hw::FaultConfig fault;
     add("", scenario);
     add("payload.N.", payload);
     add("push.N.", push);
+    add("patch.N.", patch);
     add("fault.N.", fault);
-    for (const char* array : {"payload", "push", "fault"}) known[array] = KeyKind::kArray;
+    for (const char* array : {"payload", "push", "patch", "fault"}) known[array] = KeyKind::kArray;
     return known;
   }();
   return keys;

@@ -4019,6 +4019,1396 @@ bool surefoot_leg_command_left_ankle_roll_torque_nm_is_in_phys_range(double valu
     return ((value >= -300.0) && (value <= 300.0));
 }
 
+int surefoot_leg_inertial_right_pack(
+    uint8_t *dst_p,
+    const struct surefoot_leg_inertial_right_t *src_p,
+    size_t size)
+{
+    uint16_t hip_roll_rate_rad_s;
+
+    if (size < 8u) {
+        return (-EINVAL);
+    }
+
+    memset(&dst_p[0], 0, 8);
+
+    dst_p[0] |= pack_left_shift_u16(src_p->crc, 0u, 0xffu);
+    dst_p[1] |= pack_right_shift_u16(src_p->crc, 8u, 0xffu);
+    dst_p[2] |= pack_left_shift_u8(src_p->counter, 0u, 0xffu);
+    dst_p[4] |= pack_left_shift_u16(src_p->tick, 0u, 0xffu);
+    dst_p[5] |= pack_right_shift_u16(src_p->tick, 8u, 0xffu);
+    hip_roll_rate_rad_s = (uint16_t)src_p->hip_roll_rate_rad_s;
+    dst_p[6] |= pack_left_shift_u16(hip_roll_rate_rad_s, 0u, 0xffu);
+    dst_p[7] |= pack_right_shift_u16(hip_roll_rate_rad_s, 8u, 0xffu);
+
+    return (8);
+}
+
+int surefoot_leg_inertial_right_unpack(
+    struct surefoot_leg_inertial_right_t *dst_p,
+    const uint8_t *src_p,
+    size_t size)
+{
+    uint16_t hip_roll_rate_rad_s;
+
+    if (size < 8u) {
+        return (-EINVAL);
+    }
+
+    dst_p->crc = unpack_right_shift_u16(src_p[0], 0u, 0xffu);
+    dst_p->crc |= unpack_left_shift_u16(src_p[1], 8u, 0xffu);
+    dst_p->counter = unpack_right_shift_u8(src_p[2], 0u, 0xffu);
+    dst_p->tick = unpack_right_shift_u16(src_p[4], 0u, 0xffu);
+    dst_p->tick |= unpack_left_shift_u16(src_p[5], 8u, 0xffu);
+    hip_roll_rate_rad_s = unpack_right_shift_u16(src_p[6], 0u, 0xffu);
+    hip_roll_rate_rad_s |= unpack_left_shift_u16(src_p[7], 8u, 0xffu);
+    dst_p->hip_roll_rate_rad_s = (int16_t)hip_roll_rate_rad_s;
+
+    return (0);
+}
+
+int surefoot_leg_inertial_right_init(struct surefoot_leg_inertial_right_t *msg_p)
+{
+    if (msg_p == NULL) return -1;
+
+    memset(msg_p, 0, sizeof(struct surefoot_leg_inertial_right_t));
+
+    return 0;
+}
+
+uint16_t surefoot_leg_inertial_right_crc_encode(double value)
+{
+    return (uint16_t)(cantools_unsigned_from_double(round(value)));
+}
+
+double surefoot_leg_inertial_right_crc_decode(uint16_t value)
+{
+    return ((double)value);
+}
+
+bool surefoot_leg_inertial_right_crc_is_in_range(uint16_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool surefoot_leg_inertial_right_crc_is_in_phys_range(double value)
+{
+    return ((value >= 0.0) && (value <= 65535.0));
+}
+
+uint8_t surefoot_leg_inertial_right_counter_encode(double value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(round(value)));
+}
+
+double surefoot_leg_inertial_right_counter_decode(uint8_t value)
+{
+    return ((double)value);
+}
+
+bool surefoot_leg_inertial_right_counter_is_in_range(uint8_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool surefoot_leg_inertial_right_counter_is_in_phys_range(double value)
+{
+    return ((value >= 0.0) && (value <= 255.0));
+}
+
+uint16_t surefoot_leg_inertial_right_tick_encode(double value)
+{
+    return (uint16_t)(cantools_unsigned_from_double(round(value)));
+}
+
+double surefoot_leg_inertial_right_tick_decode(uint16_t value)
+{
+    return ((double)value);
+}
+
+bool surefoot_leg_inertial_right_tick_is_in_range(uint16_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool surefoot_leg_inertial_right_tick_is_in_phys_range(double value)
+{
+    return ((value >= 0.0) && (value <= 65535.0));
+}
+
+int16_t surefoot_leg_inertial_right_hip_roll_rate_rad_s_encode(double value)
+{
+    return (int16_t)(round(value / 0.0005));
+}
+
+double surefoot_leg_inertial_right_hip_roll_rate_rad_s_decode(int16_t value)
+{
+    return ((double)value * 0.0005);
+}
+
+bool surefoot_leg_inertial_right_hip_roll_rate_rad_s_is_in_range(int16_t value)
+{
+    return ((value >= -32000) && (value <= 32000));
+}
+
+bool surefoot_leg_inertial_right_hip_roll_rate_rad_s_is_in_phys_range(double value)
+{
+    return ((value >= -16.0) && (value <= 16.0));
+}
+
+int surefoot_leg_inertial_left_pack(
+    uint8_t *dst_p,
+    const struct surefoot_leg_inertial_left_t *src_p,
+    size_t size)
+{
+    uint16_t hip_roll_rate_rad_s;
+
+    if (size < 8u) {
+        return (-EINVAL);
+    }
+
+    memset(&dst_p[0], 0, 8);
+
+    dst_p[0] |= pack_left_shift_u16(src_p->crc, 0u, 0xffu);
+    dst_p[1] |= pack_right_shift_u16(src_p->crc, 8u, 0xffu);
+    dst_p[2] |= pack_left_shift_u8(src_p->counter, 0u, 0xffu);
+    dst_p[4] |= pack_left_shift_u16(src_p->tick, 0u, 0xffu);
+    dst_p[5] |= pack_right_shift_u16(src_p->tick, 8u, 0xffu);
+    hip_roll_rate_rad_s = (uint16_t)src_p->hip_roll_rate_rad_s;
+    dst_p[6] |= pack_left_shift_u16(hip_roll_rate_rad_s, 0u, 0xffu);
+    dst_p[7] |= pack_right_shift_u16(hip_roll_rate_rad_s, 8u, 0xffu);
+
+    return (8);
+}
+
+int surefoot_leg_inertial_left_unpack(
+    struct surefoot_leg_inertial_left_t *dst_p,
+    const uint8_t *src_p,
+    size_t size)
+{
+    uint16_t hip_roll_rate_rad_s;
+
+    if (size < 8u) {
+        return (-EINVAL);
+    }
+
+    dst_p->crc = unpack_right_shift_u16(src_p[0], 0u, 0xffu);
+    dst_p->crc |= unpack_left_shift_u16(src_p[1], 8u, 0xffu);
+    dst_p->counter = unpack_right_shift_u8(src_p[2], 0u, 0xffu);
+    dst_p->tick = unpack_right_shift_u16(src_p[4], 0u, 0xffu);
+    dst_p->tick |= unpack_left_shift_u16(src_p[5], 8u, 0xffu);
+    hip_roll_rate_rad_s = unpack_right_shift_u16(src_p[6], 0u, 0xffu);
+    hip_roll_rate_rad_s |= unpack_left_shift_u16(src_p[7], 8u, 0xffu);
+    dst_p->hip_roll_rate_rad_s = (int16_t)hip_roll_rate_rad_s;
+
+    return (0);
+}
+
+int surefoot_leg_inertial_left_init(struct surefoot_leg_inertial_left_t *msg_p)
+{
+    if (msg_p == NULL) return -1;
+
+    memset(msg_p, 0, sizeof(struct surefoot_leg_inertial_left_t));
+
+    return 0;
+}
+
+uint16_t surefoot_leg_inertial_left_crc_encode(double value)
+{
+    return (uint16_t)(cantools_unsigned_from_double(round(value)));
+}
+
+double surefoot_leg_inertial_left_crc_decode(uint16_t value)
+{
+    return ((double)value);
+}
+
+bool surefoot_leg_inertial_left_crc_is_in_range(uint16_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool surefoot_leg_inertial_left_crc_is_in_phys_range(double value)
+{
+    return ((value >= 0.0) && (value <= 65535.0));
+}
+
+uint8_t surefoot_leg_inertial_left_counter_encode(double value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(round(value)));
+}
+
+double surefoot_leg_inertial_left_counter_decode(uint8_t value)
+{
+    return ((double)value);
+}
+
+bool surefoot_leg_inertial_left_counter_is_in_range(uint8_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool surefoot_leg_inertial_left_counter_is_in_phys_range(double value)
+{
+    return ((value >= 0.0) && (value <= 255.0));
+}
+
+uint16_t surefoot_leg_inertial_left_tick_encode(double value)
+{
+    return (uint16_t)(cantools_unsigned_from_double(round(value)));
+}
+
+double surefoot_leg_inertial_left_tick_decode(uint16_t value)
+{
+    return ((double)value);
+}
+
+bool surefoot_leg_inertial_left_tick_is_in_range(uint16_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool surefoot_leg_inertial_left_tick_is_in_phys_range(double value)
+{
+    return ((value >= 0.0) && (value <= 65535.0));
+}
+
+int16_t surefoot_leg_inertial_left_hip_roll_rate_rad_s_encode(double value)
+{
+    return (int16_t)(round(value / 0.0005));
+}
+
+double surefoot_leg_inertial_left_hip_roll_rate_rad_s_decode(int16_t value)
+{
+    return ((double)value * 0.0005);
+}
+
+bool surefoot_leg_inertial_left_hip_roll_rate_rad_s_is_in_range(int16_t value)
+{
+    return ((value >= -32000) && (value <= 32000));
+}
+
+bool surefoot_leg_inertial_left_hip_roll_rate_rad_s_is_in_phys_range(double value)
+{
+    return ((value >= -16.0) && (value <= 16.0));
+}
+
+int surefoot_foot_inertial_right_pack(
+    uint8_t *dst_p,
+    const struct surefoot_foot_inertial_right_t *src_p,
+    size_t size)
+{
+    uint16_t sole_pitch_rad;
+    uint16_t sole_roll_rad;
+    uint16_t specific_force_x_foot_m_s2;
+    uint16_t specific_force_y_foot_m_s2;
+
+    if (size < 16u) {
+        return (-EINVAL);
+    }
+
+    memset(&dst_p[0], 0, 16);
+
+    dst_p[0] |= pack_left_shift_u16(src_p->crc, 0u, 0xffu);
+    dst_p[1] |= pack_right_shift_u16(src_p->crc, 8u, 0xffu);
+    dst_p[2] |= pack_left_shift_u8(src_p->counter, 0u, 0xffu);
+    dst_p[4] |= pack_left_shift_u16(src_p->tick, 0u, 0xffu);
+    dst_p[5] |= pack_right_shift_u16(src_p->tick, 8u, 0xffu);
+    sole_roll_rad = (uint16_t)src_p->sole_roll_rad;
+    dst_p[6] |= pack_left_shift_u16(sole_roll_rad, 0u, 0xffu);
+    dst_p[7] |= pack_right_shift_u16(sole_roll_rad, 8u, 0xffu);
+    sole_pitch_rad = (uint16_t)src_p->sole_pitch_rad;
+    dst_p[8] |= pack_left_shift_u16(sole_pitch_rad, 0u, 0xffu);
+    dst_p[9] |= pack_right_shift_u16(sole_pitch_rad, 8u, 0xffu);
+    specific_force_x_foot_m_s2 = (uint16_t)src_p->specific_force_x_foot_m_s2;
+    dst_p[10] |= pack_left_shift_u16(specific_force_x_foot_m_s2, 0u, 0xffu);
+    dst_p[11] |= pack_right_shift_u16(specific_force_x_foot_m_s2, 8u, 0xffu);
+    specific_force_y_foot_m_s2 = (uint16_t)src_p->specific_force_y_foot_m_s2;
+    dst_p[12] |= pack_left_shift_u16(specific_force_y_foot_m_s2, 0u, 0xffu);
+    dst_p[13] |= pack_right_shift_u16(specific_force_y_foot_m_s2, 8u, 0xffu);
+
+    return (16);
+}
+
+int surefoot_foot_inertial_right_unpack(
+    struct surefoot_foot_inertial_right_t *dst_p,
+    const uint8_t *src_p,
+    size_t size)
+{
+    uint16_t sole_pitch_rad;
+    uint16_t sole_roll_rad;
+    uint16_t specific_force_x_foot_m_s2;
+    uint16_t specific_force_y_foot_m_s2;
+
+    if (size < 16u) {
+        return (-EINVAL);
+    }
+
+    dst_p->crc = unpack_right_shift_u16(src_p[0], 0u, 0xffu);
+    dst_p->crc |= unpack_left_shift_u16(src_p[1], 8u, 0xffu);
+    dst_p->counter = unpack_right_shift_u8(src_p[2], 0u, 0xffu);
+    dst_p->tick = unpack_right_shift_u16(src_p[4], 0u, 0xffu);
+    dst_p->tick |= unpack_left_shift_u16(src_p[5], 8u, 0xffu);
+    sole_roll_rad = unpack_right_shift_u16(src_p[6], 0u, 0xffu);
+    sole_roll_rad |= unpack_left_shift_u16(src_p[7], 8u, 0xffu);
+    dst_p->sole_roll_rad = (int16_t)sole_roll_rad;
+    sole_pitch_rad = unpack_right_shift_u16(src_p[8], 0u, 0xffu);
+    sole_pitch_rad |= unpack_left_shift_u16(src_p[9], 8u, 0xffu);
+    dst_p->sole_pitch_rad = (int16_t)sole_pitch_rad;
+    specific_force_x_foot_m_s2 = unpack_right_shift_u16(src_p[10], 0u, 0xffu);
+    specific_force_x_foot_m_s2 |= unpack_left_shift_u16(src_p[11], 8u, 0xffu);
+    dst_p->specific_force_x_foot_m_s2 = (int16_t)specific_force_x_foot_m_s2;
+    specific_force_y_foot_m_s2 = unpack_right_shift_u16(src_p[12], 0u, 0xffu);
+    specific_force_y_foot_m_s2 |= unpack_left_shift_u16(src_p[13], 8u, 0xffu);
+    dst_p->specific_force_y_foot_m_s2 = (int16_t)specific_force_y_foot_m_s2;
+
+    return (0);
+}
+
+int surefoot_foot_inertial_right_init(struct surefoot_foot_inertial_right_t *msg_p)
+{
+    if (msg_p == NULL) return -1;
+
+    memset(msg_p, 0, sizeof(struct surefoot_foot_inertial_right_t));
+
+    return 0;
+}
+
+uint16_t surefoot_foot_inertial_right_crc_encode(double value)
+{
+    return (uint16_t)(cantools_unsigned_from_double(round(value)));
+}
+
+double surefoot_foot_inertial_right_crc_decode(uint16_t value)
+{
+    return ((double)value);
+}
+
+bool surefoot_foot_inertial_right_crc_is_in_range(uint16_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool surefoot_foot_inertial_right_crc_is_in_phys_range(double value)
+{
+    return ((value >= 0.0) && (value <= 65535.0));
+}
+
+uint8_t surefoot_foot_inertial_right_counter_encode(double value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(round(value)));
+}
+
+double surefoot_foot_inertial_right_counter_decode(uint8_t value)
+{
+    return ((double)value);
+}
+
+bool surefoot_foot_inertial_right_counter_is_in_range(uint8_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool surefoot_foot_inertial_right_counter_is_in_phys_range(double value)
+{
+    return ((value >= 0.0) && (value <= 255.0));
+}
+
+uint16_t surefoot_foot_inertial_right_tick_encode(double value)
+{
+    return (uint16_t)(cantools_unsigned_from_double(round(value)));
+}
+
+double surefoot_foot_inertial_right_tick_decode(uint16_t value)
+{
+    return ((double)value);
+}
+
+bool surefoot_foot_inertial_right_tick_is_in_range(uint16_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool surefoot_foot_inertial_right_tick_is_in_phys_range(double value)
+{
+    return ((value >= 0.0) && (value <= 65535.0));
+}
+
+int16_t surefoot_foot_inertial_right_sole_roll_rad_encode(double value)
+{
+    return (int16_t)(round(value / 5e-05));
+}
+
+double surefoot_foot_inertial_right_sole_roll_rad_decode(int16_t value)
+{
+    return ((double)value * 5e-05);
+}
+
+bool surefoot_foot_inertial_right_sole_roll_rad_is_in_range(int16_t value)
+{
+    return ((value >= -32000) && (value <= 32000));
+}
+
+bool surefoot_foot_inertial_right_sole_roll_rad_is_in_phys_range(double value)
+{
+    return ((value >= -1.6) && (value <= 1.6));
+}
+
+int16_t surefoot_foot_inertial_right_sole_pitch_rad_encode(double value)
+{
+    return (int16_t)(round(value / 5e-05));
+}
+
+double surefoot_foot_inertial_right_sole_pitch_rad_decode(int16_t value)
+{
+    return ((double)value * 5e-05);
+}
+
+bool surefoot_foot_inertial_right_sole_pitch_rad_is_in_range(int16_t value)
+{
+    return ((value >= -32000) && (value <= 32000));
+}
+
+bool surefoot_foot_inertial_right_sole_pitch_rad_is_in_phys_range(double value)
+{
+    return ((value >= -1.6) && (value <= 1.6));
+}
+
+int16_t surefoot_foot_inertial_right_specific_force_x_foot_m_s2_encode(double value)
+{
+    return (int16_t)(round(value / 0.005));
+}
+
+double surefoot_foot_inertial_right_specific_force_x_foot_m_s2_decode(int16_t value)
+{
+    return ((double)value * 0.005);
+}
+
+bool surefoot_foot_inertial_right_specific_force_x_foot_m_s2_is_in_range(int16_t value)
+{
+    return ((value >= -32000) && (value <= 32000));
+}
+
+bool surefoot_foot_inertial_right_specific_force_x_foot_m_s2_is_in_phys_range(double value)
+{
+    return ((value >= -160.0) && (value <= 160.0));
+}
+
+int16_t surefoot_foot_inertial_right_specific_force_y_foot_m_s2_encode(double value)
+{
+    return (int16_t)(round(value / 0.005));
+}
+
+double surefoot_foot_inertial_right_specific_force_y_foot_m_s2_decode(int16_t value)
+{
+    return ((double)value * 0.005);
+}
+
+bool surefoot_foot_inertial_right_specific_force_y_foot_m_s2_is_in_range(int16_t value)
+{
+    return ((value >= -32000) && (value <= 32000));
+}
+
+bool surefoot_foot_inertial_right_specific_force_y_foot_m_s2_is_in_phys_range(double value)
+{
+    return ((value >= -160.0) && (value <= 160.0));
+}
+
+int surefoot_foot_inertial_left_pack(
+    uint8_t *dst_p,
+    const struct surefoot_foot_inertial_left_t *src_p,
+    size_t size)
+{
+    uint16_t sole_pitch_rad;
+    uint16_t sole_roll_rad;
+    uint16_t specific_force_x_foot_m_s2;
+    uint16_t specific_force_y_foot_m_s2;
+
+    if (size < 16u) {
+        return (-EINVAL);
+    }
+
+    memset(&dst_p[0], 0, 16);
+
+    dst_p[0] |= pack_left_shift_u16(src_p->crc, 0u, 0xffu);
+    dst_p[1] |= pack_right_shift_u16(src_p->crc, 8u, 0xffu);
+    dst_p[2] |= pack_left_shift_u8(src_p->counter, 0u, 0xffu);
+    dst_p[4] |= pack_left_shift_u16(src_p->tick, 0u, 0xffu);
+    dst_p[5] |= pack_right_shift_u16(src_p->tick, 8u, 0xffu);
+    sole_roll_rad = (uint16_t)src_p->sole_roll_rad;
+    dst_p[6] |= pack_left_shift_u16(sole_roll_rad, 0u, 0xffu);
+    dst_p[7] |= pack_right_shift_u16(sole_roll_rad, 8u, 0xffu);
+    sole_pitch_rad = (uint16_t)src_p->sole_pitch_rad;
+    dst_p[8] |= pack_left_shift_u16(sole_pitch_rad, 0u, 0xffu);
+    dst_p[9] |= pack_right_shift_u16(sole_pitch_rad, 8u, 0xffu);
+    specific_force_x_foot_m_s2 = (uint16_t)src_p->specific_force_x_foot_m_s2;
+    dst_p[10] |= pack_left_shift_u16(specific_force_x_foot_m_s2, 0u, 0xffu);
+    dst_p[11] |= pack_right_shift_u16(specific_force_x_foot_m_s2, 8u, 0xffu);
+    specific_force_y_foot_m_s2 = (uint16_t)src_p->specific_force_y_foot_m_s2;
+    dst_p[12] |= pack_left_shift_u16(specific_force_y_foot_m_s2, 0u, 0xffu);
+    dst_p[13] |= pack_right_shift_u16(specific_force_y_foot_m_s2, 8u, 0xffu);
+
+    return (16);
+}
+
+int surefoot_foot_inertial_left_unpack(
+    struct surefoot_foot_inertial_left_t *dst_p,
+    const uint8_t *src_p,
+    size_t size)
+{
+    uint16_t sole_pitch_rad;
+    uint16_t sole_roll_rad;
+    uint16_t specific_force_x_foot_m_s2;
+    uint16_t specific_force_y_foot_m_s2;
+
+    if (size < 16u) {
+        return (-EINVAL);
+    }
+
+    dst_p->crc = unpack_right_shift_u16(src_p[0], 0u, 0xffu);
+    dst_p->crc |= unpack_left_shift_u16(src_p[1], 8u, 0xffu);
+    dst_p->counter = unpack_right_shift_u8(src_p[2], 0u, 0xffu);
+    dst_p->tick = unpack_right_shift_u16(src_p[4], 0u, 0xffu);
+    dst_p->tick |= unpack_left_shift_u16(src_p[5], 8u, 0xffu);
+    sole_roll_rad = unpack_right_shift_u16(src_p[6], 0u, 0xffu);
+    sole_roll_rad |= unpack_left_shift_u16(src_p[7], 8u, 0xffu);
+    dst_p->sole_roll_rad = (int16_t)sole_roll_rad;
+    sole_pitch_rad = unpack_right_shift_u16(src_p[8], 0u, 0xffu);
+    sole_pitch_rad |= unpack_left_shift_u16(src_p[9], 8u, 0xffu);
+    dst_p->sole_pitch_rad = (int16_t)sole_pitch_rad;
+    specific_force_x_foot_m_s2 = unpack_right_shift_u16(src_p[10], 0u, 0xffu);
+    specific_force_x_foot_m_s2 |= unpack_left_shift_u16(src_p[11], 8u, 0xffu);
+    dst_p->specific_force_x_foot_m_s2 = (int16_t)specific_force_x_foot_m_s2;
+    specific_force_y_foot_m_s2 = unpack_right_shift_u16(src_p[12], 0u, 0xffu);
+    specific_force_y_foot_m_s2 |= unpack_left_shift_u16(src_p[13], 8u, 0xffu);
+    dst_p->specific_force_y_foot_m_s2 = (int16_t)specific_force_y_foot_m_s2;
+
+    return (0);
+}
+
+int surefoot_foot_inertial_left_init(struct surefoot_foot_inertial_left_t *msg_p)
+{
+    if (msg_p == NULL) return -1;
+
+    memset(msg_p, 0, sizeof(struct surefoot_foot_inertial_left_t));
+
+    return 0;
+}
+
+uint16_t surefoot_foot_inertial_left_crc_encode(double value)
+{
+    return (uint16_t)(cantools_unsigned_from_double(round(value)));
+}
+
+double surefoot_foot_inertial_left_crc_decode(uint16_t value)
+{
+    return ((double)value);
+}
+
+bool surefoot_foot_inertial_left_crc_is_in_range(uint16_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool surefoot_foot_inertial_left_crc_is_in_phys_range(double value)
+{
+    return ((value >= 0.0) && (value <= 65535.0));
+}
+
+uint8_t surefoot_foot_inertial_left_counter_encode(double value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(round(value)));
+}
+
+double surefoot_foot_inertial_left_counter_decode(uint8_t value)
+{
+    return ((double)value);
+}
+
+bool surefoot_foot_inertial_left_counter_is_in_range(uint8_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool surefoot_foot_inertial_left_counter_is_in_phys_range(double value)
+{
+    return ((value >= 0.0) && (value <= 255.0));
+}
+
+uint16_t surefoot_foot_inertial_left_tick_encode(double value)
+{
+    return (uint16_t)(cantools_unsigned_from_double(round(value)));
+}
+
+double surefoot_foot_inertial_left_tick_decode(uint16_t value)
+{
+    return ((double)value);
+}
+
+bool surefoot_foot_inertial_left_tick_is_in_range(uint16_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool surefoot_foot_inertial_left_tick_is_in_phys_range(double value)
+{
+    return ((value >= 0.0) && (value <= 65535.0));
+}
+
+int16_t surefoot_foot_inertial_left_sole_roll_rad_encode(double value)
+{
+    return (int16_t)(round(value / 5e-05));
+}
+
+double surefoot_foot_inertial_left_sole_roll_rad_decode(int16_t value)
+{
+    return ((double)value * 5e-05);
+}
+
+bool surefoot_foot_inertial_left_sole_roll_rad_is_in_range(int16_t value)
+{
+    return ((value >= -32000) && (value <= 32000));
+}
+
+bool surefoot_foot_inertial_left_sole_roll_rad_is_in_phys_range(double value)
+{
+    return ((value >= -1.6) && (value <= 1.6));
+}
+
+int16_t surefoot_foot_inertial_left_sole_pitch_rad_encode(double value)
+{
+    return (int16_t)(round(value / 5e-05));
+}
+
+double surefoot_foot_inertial_left_sole_pitch_rad_decode(int16_t value)
+{
+    return ((double)value * 5e-05);
+}
+
+bool surefoot_foot_inertial_left_sole_pitch_rad_is_in_range(int16_t value)
+{
+    return ((value >= -32000) && (value <= 32000));
+}
+
+bool surefoot_foot_inertial_left_sole_pitch_rad_is_in_phys_range(double value)
+{
+    return ((value >= -1.6) && (value <= 1.6));
+}
+
+int16_t surefoot_foot_inertial_left_specific_force_x_foot_m_s2_encode(double value)
+{
+    return (int16_t)(round(value / 0.005));
+}
+
+double surefoot_foot_inertial_left_specific_force_x_foot_m_s2_decode(int16_t value)
+{
+    return ((double)value * 0.005);
+}
+
+bool surefoot_foot_inertial_left_specific_force_x_foot_m_s2_is_in_range(int16_t value)
+{
+    return ((value >= -32000) && (value <= 32000));
+}
+
+bool surefoot_foot_inertial_left_specific_force_x_foot_m_s2_is_in_phys_range(double value)
+{
+    return ((value >= -160.0) && (value <= 160.0));
+}
+
+int16_t surefoot_foot_inertial_left_specific_force_y_foot_m_s2_encode(double value)
+{
+    return (int16_t)(round(value / 0.005));
+}
+
+double surefoot_foot_inertial_left_specific_force_y_foot_m_s2_decode(int16_t value)
+{
+    return ((double)value * 0.005);
+}
+
+bool surefoot_foot_inertial_left_specific_force_y_foot_m_s2_is_in_range(int16_t value)
+{
+    return ((value >= -32000) && (value <= 32000));
+}
+
+bool surefoot_foot_inertial_left_specific_force_y_foot_m_s2_is_in_phys_range(double value)
+{
+    return ((value >= -160.0) && (value <= 160.0));
+}
+
+int surefoot_leg_position_right_pack(
+    uint8_t *dst_p,
+    const struct surefoot_leg_position_right_t *src_p,
+    size_t size)
+{
+    uint32_t ankle_pitch_angle_rad;
+    uint32_t ankle_roll_angle_rad;
+    uint32_t hip_pitch_angle_rad;
+    uint32_t hip_roll_angle_rad;
+    uint32_t hip_yaw_angle_rad;
+    uint32_t knee_pitch_angle_rad;
+
+    if (size < 24u) {
+        return (-EINVAL);
+    }
+
+    memset(&dst_p[0], 0, 24);
+
+    dst_p[0] |= pack_left_shift_u16(src_p->crc, 0u, 0xffu);
+    dst_p[1] |= pack_right_shift_u16(src_p->crc, 8u, 0xffu);
+    dst_p[2] |= pack_left_shift_u8(src_p->counter, 0u, 0xffu);
+    dst_p[4] |= pack_left_shift_u16(src_p->tick, 0u, 0xffu);
+    dst_p[5] |= pack_right_shift_u16(src_p->tick, 8u, 0xffu);
+    hip_yaw_angle_rad = (uint32_t)src_p->hip_yaw_angle_rad;
+    dst_p[6] |= pack_left_shift_u32(hip_yaw_angle_rad, 0u, 0xffu);
+    dst_p[7] |= pack_right_shift_u32(hip_yaw_angle_rad, 8u, 0xffu);
+    dst_p[8] |= pack_right_shift_u32(hip_yaw_angle_rad, 16u, 0xffu);
+    hip_roll_angle_rad = (uint32_t)src_p->hip_roll_angle_rad;
+    dst_p[9] |= pack_left_shift_u32(hip_roll_angle_rad, 0u, 0xffu);
+    dst_p[10] |= pack_right_shift_u32(hip_roll_angle_rad, 8u, 0xffu);
+    dst_p[11] |= pack_right_shift_u32(hip_roll_angle_rad, 16u, 0xffu);
+    hip_pitch_angle_rad = (uint32_t)src_p->hip_pitch_angle_rad;
+    dst_p[12] |= pack_left_shift_u32(hip_pitch_angle_rad, 0u, 0xffu);
+    dst_p[13] |= pack_right_shift_u32(hip_pitch_angle_rad, 8u, 0xffu);
+    dst_p[14] |= pack_right_shift_u32(hip_pitch_angle_rad, 16u, 0xffu);
+    knee_pitch_angle_rad = (uint32_t)src_p->knee_pitch_angle_rad;
+    dst_p[15] |= pack_left_shift_u32(knee_pitch_angle_rad, 0u, 0xffu);
+    dst_p[16] |= pack_right_shift_u32(knee_pitch_angle_rad, 8u, 0xffu);
+    dst_p[17] |= pack_right_shift_u32(knee_pitch_angle_rad, 16u, 0xffu);
+    ankle_pitch_angle_rad = (uint32_t)src_p->ankle_pitch_angle_rad;
+    dst_p[18] |= pack_left_shift_u32(ankle_pitch_angle_rad, 0u, 0xffu);
+    dst_p[19] |= pack_right_shift_u32(ankle_pitch_angle_rad, 8u, 0xffu);
+    dst_p[20] |= pack_right_shift_u32(ankle_pitch_angle_rad, 16u, 0xffu);
+    ankle_roll_angle_rad = (uint32_t)src_p->ankle_roll_angle_rad;
+    dst_p[21] |= pack_left_shift_u32(ankle_roll_angle_rad, 0u, 0xffu);
+    dst_p[22] |= pack_right_shift_u32(ankle_roll_angle_rad, 8u, 0xffu);
+    dst_p[23] |= pack_right_shift_u32(ankle_roll_angle_rad, 16u, 0xffu);
+
+    return (24);
+}
+
+int surefoot_leg_position_right_unpack(
+    struct surefoot_leg_position_right_t *dst_p,
+    const uint8_t *src_p,
+    size_t size)
+{
+    uint32_t ankle_pitch_angle_rad;
+    uint32_t ankle_roll_angle_rad;
+    uint32_t hip_pitch_angle_rad;
+    uint32_t hip_roll_angle_rad;
+    uint32_t hip_yaw_angle_rad;
+    uint32_t knee_pitch_angle_rad;
+
+    if (size < 24u) {
+        return (-EINVAL);
+    }
+
+    dst_p->crc = unpack_right_shift_u16(src_p[0], 0u, 0xffu);
+    dst_p->crc |= unpack_left_shift_u16(src_p[1], 8u, 0xffu);
+    dst_p->counter = unpack_right_shift_u8(src_p[2], 0u, 0xffu);
+    dst_p->tick = unpack_right_shift_u16(src_p[4], 0u, 0xffu);
+    dst_p->tick |= unpack_left_shift_u16(src_p[5], 8u, 0xffu);
+    hip_yaw_angle_rad = unpack_right_shift_u32(src_p[6], 0u, 0xffu);
+    hip_yaw_angle_rad |= unpack_left_shift_u32(src_p[7], 8u, 0xffu);
+    hip_yaw_angle_rad |= unpack_left_shift_u32(src_p[8], 16u, 0xffu);
+
+    if ((hip_yaw_angle_rad & (1u << 23)) != 0u) {
+        hip_yaw_angle_rad |= 0xff000000u;
+    }
+
+    dst_p->hip_yaw_angle_rad = (int32_t)hip_yaw_angle_rad;
+    hip_roll_angle_rad = unpack_right_shift_u32(src_p[9], 0u, 0xffu);
+    hip_roll_angle_rad |= unpack_left_shift_u32(src_p[10], 8u, 0xffu);
+    hip_roll_angle_rad |= unpack_left_shift_u32(src_p[11], 16u, 0xffu);
+
+    if ((hip_roll_angle_rad & (1u << 23)) != 0u) {
+        hip_roll_angle_rad |= 0xff000000u;
+    }
+
+    dst_p->hip_roll_angle_rad = (int32_t)hip_roll_angle_rad;
+    hip_pitch_angle_rad = unpack_right_shift_u32(src_p[12], 0u, 0xffu);
+    hip_pitch_angle_rad |= unpack_left_shift_u32(src_p[13], 8u, 0xffu);
+    hip_pitch_angle_rad |= unpack_left_shift_u32(src_p[14], 16u, 0xffu);
+
+    if ((hip_pitch_angle_rad & (1u << 23)) != 0u) {
+        hip_pitch_angle_rad |= 0xff000000u;
+    }
+
+    dst_p->hip_pitch_angle_rad = (int32_t)hip_pitch_angle_rad;
+    knee_pitch_angle_rad = unpack_right_shift_u32(src_p[15], 0u, 0xffu);
+    knee_pitch_angle_rad |= unpack_left_shift_u32(src_p[16], 8u, 0xffu);
+    knee_pitch_angle_rad |= unpack_left_shift_u32(src_p[17], 16u, 0xffu);
+
+    if ((knee_pitch_angle_rad & (1u << 23)) != 0u) {
+        knee_pitch_angle_rad |= 0xff000000u;
+    }
+
+    dst_p->knee_pitch_angle_rad = (int32_t)knee_pitch_angle_rad;
+    ankle_pitch_angle_rad = unpack_right_shift_u32(src_p[18], 0u, 0xffu);
+    ankle_pitch_angle_rad |= unpack_left_shift_u32(src_p[19], 8u, 0xffu);
+    ankle_pitch_angle_rad |= unpack_left_shift_u32(src_p[20], 16u, 0xffu);
+
+    if ((ankle_pitch_angle_rad & (1u << 23)) != 0u) {
+        ankle_pitch_angle_rad |= 0xff000000u;
+    }
+
+    dst_p->ankle_pitch_angle_rad = (int32_t)ankle_pitch_angle_rad;
+    ankle_roll_angle_rad = unpack_right_shift_u32(src_p[21], 0u, 0xffu);
+    ankle_roll_angle_rad |= unpack_left_shift_u32(src_p[22], 8u, 0xffu);
+    ankle_roll_angle_rad |= unpack_left_shift_u32(src_p[23], 16u, 0xffu);
+
+    if ((ankle_roll_angle_rad & (1u << 23)) != 0u) {
+        ankle_roll_angle_rad |= 0xff000000u;
+    }
+
+    dst_p->ankle_roll_angle_rad = (int32_t)ankle_roll_angle_rad;
+
+    return (0);
+}
+
+int surefoot_leg_position_right_init(struct surefoot_leg_position_right_t *msg_p)
+{
+    if (msg_p == NULL) return -1;
+
+    memset(msg_p, 0, sizeof(struct surefoot_leg_position_right_t));
+
+    return 0;
+}
+
+uint16_t surefoot_leg_position_right_crc_encode(double value)
+{
+    return (uint16_t)(cantools_unsigned_from_double(round(value)));
+}
+
+double surefoot_leg_position_right_crc_decode(uint16_t value)
+{
+    return ((double)value);
+}
+
+bool surefoot_leg_position_right_crc_is_in_range(uint16_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool surefoot_leg_position_right_crc_is_in_phys_range(double value)
+{
+    return ((value >= 0.0) && (value <= 65535.0));
+}
+
+uint8_t surefoot_leg_position_right_counter_encode(double value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(round(value)));
+}
+
+double surefoot_leg_position_right_counter_decode(uint8_t value)
+{
+    return ((double)value);
+}
+
+bool surefoot_leg_position_right_counter_is_in_range(uint8_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool surefoot_leg_position_right_counter_is_in_phys_range(double value)
+{
+    return ((value >= 0.0) && (value <= 255.0));
+}
+
+uint16_t surefoot_leg_position_right_tick_encode(double value)
+{
+    return (uint16_t)(cantools_unsigned_from_double(round(value)));
+}
+
+double surefoot_leg_position_right_tick_decode(uint16_t value)
+{
+    return ((double)value);
+}
+
+bool surefoot_leg_position_right_tick_is_in_range(uint16_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool surefoot_leg_position_right_tick_is_in_phys_range(double value)
+{
+    return ((value >= 0.0) && (value <= 65535.0));
+}
+
+int32_t surefoot_leg_position_right_hip_yaw_angle_rad_encode(double value)
+{
+    return (int32_t)(round(value / 1e-06));
+}
+
+double surefoot_leg_position_right_hip_yaw_angle_rad_decode(int32_t value)
+{
+    return ((double)value * 1e-06);
+}
+
+bool surefoot_leg_position_right_hip_yaw_angle_rad_is_in_range(int32_t value)
+{
+    return ((value >= -3200000) && (value <= 3200000));
+}
+
+bool surefoot_leg_position_right_hip_yaw_angle_rad_is_in_phys_range(double value)
+{
+    return ((value >= -3.2) && (value <= 3.2));
+}
+
+int32_t surefoot_leg_position_right_hip_roll_angle_rad_encode(double value)
+{
+    return (int32_t)(round(value / 1e-06));
+}
+
+double surefoot_leg_position_right_hip_roll_angle_rad_decode(int32_t value)
+{
+    return ((double)value * 1e-06);
+}
+
+bool surefoot_leg_position_right_hip_roll_angle_rad_is_in_range(int32_t value)
+{
+    return ((value >= -3200000) && (value <= 3200000));
+}
+
+bool surefoot_leg_position_right_hip_roll_angle_rad_is_in_phys_range(double value)
+{
+    return ((value >= -3.2) && (value <= 3.2));
+}
+
+int32_t surefoot_leg_position_right_hip_pitch_angle_rad_encode(double value)
+{
+    return (int32_t)(round(value / 1e-06));
+}
+
+double surefoot_leg_position_right_hip_pitch_angle_rad_decode(int32_t value)
+{
+    return ((double)value * 1e-06);
+}
+
+bool surefoot_leg_position_right_hip_pitch_angle_rad_is_in_range(int32_t value)
+{
+    return ((value >= -3200000) && (value <= 3200000));
+}
+
+bool surefoot_leg_position_right_hip_pitch_angle_rad_is_in_phys_range(double value)
+{
+    return ((value >= -3.2) && (value <= 3.2));
+}
+
+int32_t surefoot_leg_position_right_knee_pitch_angle_rad_encode(double value)
+{
+    return (int32_t)(round(value / 1e-06));
+}
+
+double surefoot_leg_position_right_knee_pitch_angle_rad_decode(int32_t value)
+{
+    return ((double)value * 1e-06);
+}
+
+bool surefoot_leg_position_right_knee_pitch_angle_rad_is_in_range(int32_t value)
+{
+    return ((value >= -3200000) && (value <= 3200000));
+}
+
+bool surefoot_leg_position_right_knee_pitch_angle_rad_is_in_phys_range(double value)
+{
+    return ((value >= -3.2) && (value <= 3.2));
+}
+
+int32_t surefoot_leg_position_right_ankle_pitch_angle_rad_encode(double value)
+{
+    return (int32_t)(round(value / 1e-06));
+}
+
+double surefoot_leg_position_right_ankle_pitch_angle_rad_decode(int32_t value)
+{
+    return ((double)value * 1e-06);
+}
+
+bool surefoot_leg_position_right_ankle_pitch_angle_rad_is_in_range(int32_t value)
+{
+    return ((value >= -3200000) && (value <= 3200000));
+}
+
+bool surefoot_leg_position_right_ankle_pitch_angle_rad_is_in_phys_range(double value)
+{
+    return ((value >= -3.2) && (value <= 3.2));
+}
+
+int32_t surefoot_leg_position_right_ankle_roll_angle_rad_encode(double value)
+{
+    return (int32_t)(round(value / 1e-06));
+}
+
+double surefoot_leg_position_right_ankle_roll_angle_rad_decode(int32_t value)
+{
+    return ((double)value * 1e-06);
+}
+
+bool surefoot_leg_position_right_ankle_roll_angle_rad_is_in_range(int32_t value)
+{
+    return ((value >= -3200000) && (value <= 3200000));
+}
+
+bool surefoot_leg_position_right_ankle_roll_angle_rad_is_in_phys_range(double value)
+{
+    return ((value >= -3.2) && (value <= 3.2));
+}
+
+int surefoot_leg_position_left_pack(
+    uint8_t *dst_p,
+    const struct surefoot_leg_position_left_t *src_p,
+    size_t size)
+{
+    uint32_t ankle_pitch_angle_rad;
+    uint32_t ankle_roll_angle_rad;
+    uint32_t hip_pitch_angle_rad;
+    uint32_t hip_roll_angle_rad;
+    uint32_t hip_yaw_angle_rad;
+    uint32_t knee_pitch_angle_rad;
+
+    if (size < 24u) {
+        return (-EINVAL);
+    }
+
+    memset(&dst_p[0], 0, 24);
+
+    dst_p[0] |= pack_left_shift_u16(src_p->crc, 0u, 0xffu);
+    dst_p[1] |= pack_right_shift_u16(src_p->crc, 8u, 0xffu);
+    dst_p[2] |= pack_left_shift_u8(src_p->counter, 0u, 0xffu);
+    dst_p[4] |= pack_left_shift_u16(src_p->tick, 0u, 0xffu);
+    dst_p[5] |= pack_right_shift_u16(src_p->tick, 8u, 0xffu);
+    hip_yaw_angle_rad = (uint32_t)src_p->hip_yaw_angle_rad;
+    dst_p[6] |= pack_left_shift_u32(hip_yaw_angle_rad, 0u, 0xffu);
+    dst_p[7] |= pack_right_shift_u32(hip_yaw_angle_rad, 8u, 0xffu);
+    dst_p[8] |= pack_right_shift_u32(hip_yaw_angle_rad, 16u, 0xffu);
+    hip_roll_angle_rad = (uint32_t)src_p->hip_roll_angle_rad;
+    dst_p[9] |= pack_left_shift_u32(hip_roll_angle_rad, 0u, 0xffu);
+    dst_p[10] |= pack_right_shift_u32(hip_roll_angle_rad, 8u, 0xffu);
+    dst_p[11] |= pack_right_shift_u32(hip_roll_angle_rad, 16u, 0xffu);
+    hip_pitch_angle_rad = (uint32_t)src_p->hip_pitch_angle_rad;
+    dst_p[12] |= pack_left_shift_u32(hip_pitch_angle_rad, 0u, 0xffu);
+    dst_p[13] |= pack_right_shift_u32(hip_pitch_angle_rad, 8u, 0xffu);
+    dst_p[14] |= pack_right_shift_u32(hip_pitch_angle_rad, 16u, 0xffu);
+    knee_pitch_angle_rad = (uint32_t)src_p->knee_pitch_angle_rad;
+    dst_p[15] |= pack_left_shift_u32(knee_pitch_angle_rad, 0u, 0xffu);
+    dst_p[16] |= pack_right_shift_u32(knee_pitch_angle_rad, 8u, 0xffu);
+    dst_p[17] |= pack_right_shift_u32(knee_pitch_angle_rad, 16u, 0xffu);
+    ankle_pitch_angle_rad = (uint32_t)src_p->ankle_pitch_angle_rad;
+    dst_p[18] |= pack_left_shift_u32(ankle_pitch_angle_rad, 0u, 0xffu);
+    dst_p[19] |= pack_right_shift_u32(ankle_pitch_angle_rad, 8u, 0xffu);
+    dst_p[20] |= pack_right_shift_u32(ankle_pitch_angle_rad, 16u, 0xffu);
+    ankle_roll_angle_rad = (uint32_t)src_p->ankle_roll_angle_rad;
+    dst_p[21] |= pack_left_shift_u32(ankle_roll_angle_rad, 0u, 0xffu);
+    dst_p[22] |= pack_right_shift_u32(ankle_roll_angle_rad, 8u, 0xffu);
+    dst_p[23] |= pack_right_shift_u32(ankle_roll_angle_rad, 16u, 0xffu);
+
+    return (24);
+}
+
+int surefoot_leg_position_left_unpack(
+    struct surefoot_leg_position_left_t *dst_p,
+    const uint8_t *src_p,
+    size_t size)
+{
+    uint32_t ankle_pitch_angle_rad;
+    uint32_t ankle_roll_angle_rad;
+    uint32_t hip_pitch_angle_rad;
+    uint32_t hip_roll_angle_rad;
+    uint32_t hip_yaw_angle_rad;
+    uint32_t knee_pitch_angle_rad;
+
+    if (size < 24u) {
+        return (-EINVAL);
+    }
+
+    dst_p->crc = unpack_right_shift_u16(src_p[0], 0u, 0xffu);
+    dst_p->crc |= unpack_left_shift_u16(src_p[1], 8u, 0xffu);
+    dst_p->counter = unpack_right_shift_u8(src_p[2], 0u, 0xffu);
+    dst_p->tick = unpack_right_shift_u16(src_p[4], 0u, 0xffu);
+    dst_p->tick |= unpack_left_shift_u16(src_p[5], 8u, 0xffu);
+    hip_yaw_angle_rad = unpack_right_shift_u32(src_p[6], 0u, 0xffu);
+    hip_yaw_angle_rad |= unpack_left_shift_u32(src_p[7], 8u, 0xffu);
+    hip_yaw_angle_rad |= unpack_left_shift_u32(src_p[8], 16u, 0xffu);
+
+    if ((hip_yaw_angle_rad & (1u << 23)) != 0u) {
+        hip_yaw_angle_rad |= 0xff000000u;
+    }
+
+    dst_p->hip_yaw_angle_rad = (int32_t)hip_yaw_angle_rad;
+    hip_roll_angle_rad = unpack_right_shift_u32(src_p[9], 0u, 0xffu);
+    hip_roll_angle_rad |= unpack_left_shift_u32(src_p[10], 8u, 0xffu);
+    hip_roll_angle_rad |= unpack_left_shift_u32(src_p[11], 16u, 0xffu);
+
+    if ((hip_roll_angle_rad & (1u << 23)) != 0u) {
+        hip_roll_angle_rad |= 0xff000000u;
+    }
+
+    dst_p->hip_roll_angle_rad = (int32_t)hip_roll_angle_rad;
+    hip_pitch_angle_rad = unpack_right_shift_u32(src_p[12], 0u, 0xffu);
+    hip_pitch_angle_rad |= unpack_left_shift_u32(src_p[13], 8u, 0xffu);
+    hip_pitch_angle_rad |= unpack_left_shift_u32(src_p[14], 16u, 0xffu);
+
+    if ((hip_pitch_angle_rad & (1u << 23)) != 0u) {
+        hip_pitch_angle_rad |= 0xff000000u;
+    }
+
+    dst_p->hip_pitch_angle_rad = (int32_t)hip_pitch_angle_rad;
+    knee_pitch_angle_rad = unpack_right_shift_u32(src_p[15], 0u, 0xffu);
+    knee_pitch_angle_rad |= unpack_left_shift_u32(src_p[16], 8u, 0xffu);
+    knee_pitch_angle_rad |= unpack_left_shift_u32(src_p[17], 16u, 0xffu);
+
+    if ((knee_pitch_angle_rad & (1u << 23)) != 0u) {
+        knee_pitch_angle_rad |= 0xff000000u;
+    }
+
+    dst_p->knee_pitch_angle_rad = (int32_t)knee_pitch_angle_rad;
+    ankle_pitch_angle_rad = unpack_right_shift_u32(src_p[18], 0u, 0xffu);
+    ankle_pitch_angle_rad |= unpack_left_shift_u32(src_p[19], 8u, 0xffu);
+    ankle_pitch_angle_rad |= unpack_left_shift_u32(src_p[20], 16u, 0xffu);
+
+    if ((ankle_pitch_angle_rad & (1u << 23)) != 0u) {
+        ankle_pitch_angle_rad |= 0xff000000u;
+    }
+
+    dst_p->ankle_pitch_angle_rad = (int32_t)ankle_pitch_angle_rad;
+    ankle_roll_angle_rad = unpack_right_shift_u32(src_p[21], 0u, 0xffu);
+    ankle_roll_angle_rad |= unpack_left_shift_u32(src_p[22], 8u, 0xffu);
+    ankle_roll_angle_rad |= unpack_left_shift_u32(src_p[23], 16u, 0xffu);
+
+    if ((ankle_roll_angle_rad & (1u << 23)) != 0u) {
+        ankle_roll_angle_rad |= 0xff000000u;
+    }
+
+    dst_p->ankle_roll_angle_rad = (int32_t)ankle_roll_angle_rad;
+
+    return (0);
+}
+
+int surefoot_leg_position_left_init(struct surefoot_leg_position_left_t *msg_p)
+{
+    if (msg_p == NULL) return -1;
+
+    memset(msg_p, 0, sizeof(struct surefoot_leg_position_left_t));
+
+    return 0;
+}
+
+uint16_t surefoot_leg_position_left_crc_encode(double value)
+{
+    return (uint16_t)(cantools_unsigned_from_double(round(value)));
+}
+
+double surefoot_leg_position_left_crc_decode(uint16_t value)
+{
+    return ((double)value);
+}
+
+bool surefoot_leg_position_left_crc_is_in_range(uint16_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool surefoot_leg_position_left_crc_is_in_phys_range(double value)
+{
+    return ((value >= 0.0) && (value <= 65535.0));
+}
+
+uint8_t surefoot_leg_position_left_counter_encode(double value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(round(value)));
+}
+
+double surefoot_leg_position_left_counter_decode(uint8_t value)
+{
+    return ((double)value);
+}
+
+bool surefoot_leg_position_left_counter_is_in_range(uint8_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool surefoot_leg_position_left_counter_is_in_phys_range(double value)
+{
+    return ((value >= 0.0) && (value <= 255.0));
+}
+
+uint16_t surefoot_leg_position_left_tick_encode(double value)
+{
+    return (uint16_t)(cantools_unsigned_from_double(round(value)));
+}
+
+double surefoot_leg_position_left_tick_decode(uint16_t value)
+{
+    return ((double)value);
+}
+
+bool surefoot_leg_position_left_tick_is_in_range(uint16_t value)
+{
+    (void)value;
+
+    return (true);
+}
+
+bool surefoot_leg_position_left_tick_is_in_phys_range(double value)
+{
+    return ((value >= 0.0) && (value <= 65535.0));
+}
+
+int32_t surefoot_leg_position_left_hip_yaw_angle_rad_encode(double value)
+{
+    return (int32_t)(round(value / 1e-06));
+}
+
+double surefoot_leg_position_left_hip_yaw_angle_rad_decode(int32_t value)
+{
+    return ((double)value * 1e-06);
+}
+
+bool surefoot_leg_position_left_hip_yaw_angle_rad_is_in_range(int32_t value)
+{
+    return ((value >= -3200000) && (value <= 3200000));
+}
+
+bool surefoot_leg_position_left_hip_yaw_angle_rad_is_in_phys_range(double value)
+{
+    return ((value >= -3.2) && (value <= 3.2));
+}
+
+int32_t surefoot_leg_position_left_hip_roll_angle_rad_encode(double value)
+{
+    return (int32_t)(round(value / 1e-06));
+}
+
+double surefoot_leg_position_left_hip_roll_angle_rad_decode(int32_t value)
+{
+    return ((double)value * 1e-06);
+}
+
+bool surefoot_leg_position_left_hip_roll_angle_rad_is_in_range(int32_t value)
+{
+    return ((value >= -3200000) && (value <= 3200000));
+}
+
+bool surefoot_leg_position_left_hip_roll_angle_rad_is_in_phys_range(double value)
+{
+    return ((value >= -3.2) && (value <= 3.2));
+}
+
+int32_t surefoot_leg_position_left_hip_pitch_angle_rad_encode(double value)
+{
+    return (int32_t)(round(value / 1e-06));
+}
+
+double surefoot_leg_position_left_hip_pitch_angle_rad_decode(int32_t value)
+{
+    return ((double)value * 1e-06);
+}
+
+bool surefoot_leg_position_left_hip_pitch_angle_rad_is_in_range(int32_t value)
+{
+    return ((value >= -3200000) && (value <= 3200000));
+}
+
+bool surefoot_leg_position_left_hip_pitch_angle_rad_is_in_phys_range(double value)
+{
+    return ((value >= -3.2) && (value <= 3.2));
+}
+
+int32_t surefoot_leg_position_left_knee_pitch_angle_rad_encode(double value)
+{
+    return (int32_t)(round(value / 1e-06));
+}
+
+double surefoot_leg_position_left_knee_pitch_angle_rad_decode(int32_t value)
+{
+    return ((double)value * 1e-06);
+}
+
+bool surefoot_leg_position_left_knee_pitch_angle_rad_is_in_range(int32_t value)
+{
+    return ((value >= -3200000) && (value <= 3200000));
+}
+
+bool surefoot_leg_position_left_knee_pitch_angle_rad_is_in_phys_range(double value)
+{
+    return ((value >= -3.2) && (value <= 3.2));
+}
+
+int32_t surefoot_leg_position_left_ankle_pitch_angle_rad_encode(double value)
+{
+    return (int32_t)(round(value / 1e-06));
+}
+
+double surefoot_leg_position_left_ankle_pitch_angle_rad_decode(int32_t value)
+{
+    return ((double)value * 1e-06);
+}
+
+bool surefoot_leg_position_left_ankle_pitch_angle_rad_is_in_range(int32_t value)
+{
+    return ((value >= -3200000) && (value <= 3200000));
+}
+
+bool surefoot_leg_position_left_ankle_pitch_angle_rad_is_in_phys_range(double value)
+{
+    return ((value >= -3.2) && (value <= 3.2));
+}
+
+int32_t surefoot_leg_position_left_ankle_roll_angle_rad_encode(double value)
+{
+    return (int32_t)(round(value / 1e-06));
+}
+
+double surefoot_leg_position_left_ankle_roll_angle_rad_decode(int32_t value)
+{
+    return ((double)value * 1e-06);
+}
+
+bool surefoot_leg_position_left_ankle_roll_angle_rad_is_in_range(int32_t value)
+{
+    return ((value >= -3200000) && (value <= 3200000));
+}
+
+bool surefoot_leg_position_left_ankle_roll_angle_rad_is_in_phys_range(double value)
+{
+    return ((value >= -3.2) && (value <= 3.2));
+}
+
 int surefoot_heartbeat_leg_right_pack(
     uint8_t *dst_p,
     const struct surefoot_heartbeat_leg_right_t *src_p,
@@ -4033,6 +5423,7 @@ int surefoot_heartbeat_leg_right_pack(
     dst_p[0] |= pack_left_shift_u8(src_p->nmt_state, 0u, 0xffu);
     dst_p[1] |= pack_left_shift_u8(src_p->protocol_version, 0u, 0xffu);
     dst_p[2] |= pack_left_shift_u8(src_p->counter, 0u, 0xffu);
+    dst_p[3] |= pack_left_shift_u8(src_p->has_inertial_sensors, 0u, 0x01u);
     dst_p[4] |= pack_left_shift_u16(src_p->tick, 0u, 0xffu);
     dst_p[5] |= pack_right_shift_u16(src_p->tick, 8u, 0xffu);
     dst_p[6] |= pack_left_shift_u16(src_p->crc, 0u, 0xffu);
@@ -4053,6 +5444,7 @@ int surefoot_heartbeat_leg_right_unpack(
     dst_p->nmt_state = unpack_right_shift_u8(src_p[0], 0u, 0xffu);
     dst_p->protocol_version = unpack_right_shift_u8(src_p[1], 0u, 0xffu);
     dst_p->counter = unpack_right_shift_u8(src_p[2], 0u, 0xffu);
+    dst_p->has_inertial_sensors = unpack_right_shift_u8(src_p[3], 0u, 0x01u);
     dst_p->tick = unpack_right_shift_u16(src_p[4], 0u, 0xffu);
     dst_p->tick |= unpack_left_shift_u16(src_p[5], 8u, 0xffu);
     dst_p->crc = unpack_right_shift_u16(src_p[6], 0u, 0xffu);
@@ -4134,6 +5526,26 @@ bool surefoot_heartbeat_leg_right_counter_is_in_phys_range(double value)
     return ((value >= 0.0) && (value <= 255.0));
 }
 
+uint8_t surefoot_heartbeat_leg_right_has_inertial_sensors_encode(double value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(round(value)));
+}
+
+double surefoot_heartbeat_leg_right_has_inertial_sensors_decode(uint8_t value)
+{
+    return ((double)value);
+}
+
+bool surefoot_heartbeat_leg_right_has_inertial_sensors_is_in_range(uint8_t value)
+{
+    return (value <= 1u);
+}
+
+bool surefoot_heartbeat_leg_right_has_inertial_sensors_is_in_phys_range(double value)
+{
+    return ((value >= 0.0) && (value <= 1.0));
+}
+
 uint16_t surefoot_heartbeat_leg_right_tick_encode(double value)
 {
     return (uint16_t)(cantools_unsigned_from_double(round(value)));
@@ -4192,6 +5604,7 @@ int surefoot_heartbeat_leg_left_pack(
     dst_p[0] |= pack_left_shift_u8(src_p->nmt_state, 0u, 0xffu);
     dst_p[1] |= pack_left_shift_u8(src_p->protocol_version, 0u, 0xffu);
     dst_p[2] |= pack_left_shift_u8(src_p->counter, 0u, 0xffu);
+    dst_p[3] |= pack_left_shift_u8(src_p->has_inertial_sensors, 0u, 0x01u);
     dst_p[4] |= pack_left_shift_u16(src_p->tick, 0u, 0xffu);
     dst_p[5] |= pack_right_shift_u16(src_p->tick, 8u, 0xffu);
     dst_p[6] |= pack_left_shift_u16(src_p->crc, 0u, 0xffu);
@@ -4212,6 +5625,7 @@ int surefoot_heartbeat_leg_left_unpack(
     dst_p->nmt_state = unpack_right_shift_u8(src_p[0], 0u, 0xffu);
     dst_p->protocol_version = unpack_right_shift_u8(src_p[1], 0u, 0xffu);
     dst_p->counter = unpack_right_shift_u8(src_p[2], 0u, 0xffu);
+    dst_p->has_inertial_sensors = unpack_right_shift_u8(src_p[3], 0u, 0x01u);
     dst_p->tick = unpack_right_shift_u16(src_p[4], 0u, 0xffu);
     dst_p->tick |= unpack_left_shift_u16(src_p[5], 8u, 0xffu);
     dst_p->crc = unpack_right_shift_u16(src_p[6], 0u, 0xffu);
@@ -4293,6 +5707,26 @@ bool surefoot_heartbeat_leg_left_counter_is_in_phys_range(double value)
     return ((value >= 0.0) && (value <= 255.0));
 }
 
+uint8_t surefoot_heartbeat_leg_left_has_inertial_sensors_encode(double value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(round(value)));
+}
+
+double surefoot_heartbeat_leg_left_has_inertial_sensors_decode(uint8_t value)
+{
+    return ((double)value);
+}
+
+bool surefoot_heartbeat_leg_left_has_inertial_sensors_is_in_range(uint8_t value)
+{
+    return (value <= 1u);
+}
+
+bool surefoot_heartbeat_leg_left_has_inertial_sensors_is_in_phys_range(double value)
+{
+    return ((value >= 0.0) && (value <= 1.0));
+}
+
 uint16_t surefoot_heartbeat_leg_left_tick_encode(double value)
 {
     return (uint16_t)(cantools_unsigned_from_double(round(value)));
@@ -4351,6 +5785,7 @@ int surefoot_heartbeat_foot_right_pack(
     dst_p[0] |= pack_left_shift_u8(src_p->nmt_state, 0u, 0xffu);
     dst_p[1] |= pack_left_shift_u8(src_p->protocol_version, 0u, 0xffu);
     dst_p[2] |= pack_left_shift_u8(src_p->counter, 0u, 0xffu);
+    dst_p[3] |= pack_left_shift_u8(src_p->has_inertial_sensors, 0u, 0x01u);
     dst_p[4] |= pack_left_shift_u16(src_p->tick, 0u, 0xffu);
     dst_p[5] |= pack_right_shift_u16(src_p->tick, 8u, 0xffu);
     dst_p[6] |= pack_left_shift_u16(src_p->crc, 0u, 0xffu);
@@ -4371,6 +5806,7 @@ int surefoot_heartbeat_foot_right_unpack(
     dst_p->nmt_state = unpack_right_shift_u8(src_p[0], 0u, 0xffu);
     dst_p->protocol_version = unpack_right_shift_u8(src_p[1], 0u, 0xffu);
     dst_p->counter = unpack_right_shift_u8(src_p[2], 0u, 0xffu);
+    dst_p->has_inertial_sensors = unpack_right_shift_u8(src_p[3], 0u, 0x01u);
     dst_p->tick = unpack_right_shift_u16(src_p[4], 0u, 0xffu);
     dst_p->tick |= unpack_left_shift_u16(src_p[5], 8u, 0xffu);
     dst_p->crc = unpack_right_shift_u16(src_p[6], 0u, 0xffu);
@@ -4452,6 +5888,26 @@ bool surefoot_heartbeat_foot_right_counter_is_in_phys_range(double value)
     return ((value >= 0.0) && (value <= 255.0));
 }
 
+uint8_t surefoot_heartbeat_foot_right_has_inertial_sensors_encode(double value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(round(value)));
+}
+
+double surefoot_heartbeat_foot_right_has_inertial_sensors_decode(uint8_t value)
+{
+    return ((double)value);
+}
+
+bool surefoot_heartbeat_foot_right_has_inertial_sensors_is_in_range(uint8_t value)
+{
+    return (value <= 1u);
+}
+
+bool surefoot_heartbeat_foot_right_has_inertial_sensors_is_in_phys_range(double value)
+{
+    return ((value >= 0.0) && (value <= 1.0));
+}
+
 uint16_t surefoot_heartbeat_foot_right_tick_encode(double value)
 {
     return (uint16_t)(cantools_unsigned_from_double(round(value)));
@@ -4510,6 +5966,7 @@ int surefoot_heartbeat_foot_left_pack(
     dst_p[0] |= pack_left_shift_u8(src_p->nmt_state, 0u, 0xffu);
     dst_p[1] |= pack_left_shift_u8(src_p->protocol_version, 0u, 0xffu);
     dst_p[2] |= pack_left_shift_u8(src_p->counter, 0u, 0xffu);
+    dst_p[3] |= pack_left_shift_u8(src_p->has_inertial_sensors, 0u, 0x01u);
     dst_p[4] |= pack_left_shift_u16(src_p->tick, 0u, 0xffu);
     dst_p[5] |= pack_right_shift_u16(src_p->tick, 8u, 0xffu);
     dst_p[6] |= pack_left_shift_u16(src_p->crc, 0u, 0xffu);
@@ -4530,6 +5987,7 @@ int surefoot_heartbeat_foot_left_unpack(
     dst_p->nmt_state = unpack_right_shift_u8(src_p[0], 0u, 0xffu);
     dst_p->protocol_version = unpack_right_shift_u8(src_p[1], 0u, 0xffu);
     dst_p->counter = unpack_right_shift_u8(src_p[2], 0u, 0xffu);
+    dst_p->has_inertial_sensors = unpack_right_shift_u8(src_p[3], 0u, 0x01u);
     dst_p->tick = unpack_right_shift_u16(src_p[4], 0u, 0xffu);
     dst_p->tick |= unpack_left_shift_u16(src_p[5], 8u, 0xffu);
     dst_p->crc = unpack_right_shift_u16(src_p[6], 0u, 0xffu);
@@ -4609,6 +6067,26 @@ bool surefoot_heartbeat_foot_left_counter_is_in_range(uint8_t value)
 bool surefoot_heartbeat_foot_left_counter_is_in_phys_range(double value)
 {
     return ((value >= 0.0) && (value <= 255.0));
+}
+
+uint8_t surefoot_heartbeat_foot_left_has_inertial_sensors_encode(double value)
+{
+    return (uint8_t)(cantools_unsigned_from_double(round(value)));
+}
+
+double surefoot_heartbeat_foot_left_has_inertial_sensors_decode(uint8_t value)
+{
+    return ((double)value);
+}
+
+bool surefoot_heartbeat_foot_left_has_inertial_sensors_is_in_range(uint8_t value)
+{
+    return (value <= 1u);
+}
+
+bool surefoot_heartbeat_foot_left_has_inertial_sensors_is_in_phys_range(double value)
+{
+    return ((value >= 0.0) && (value <= 1.0));
 }
 
 uint16_t surefoot_heartbeat_foot_left_tick_encode(double value)

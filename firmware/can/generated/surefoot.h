@@ -59,6 +59,12 @@ extern "C" {
 #define SUREFOOT_IMU_FRAME_ID (0x185u)
 #define SUREFOOT_LEG_COMMAND_RIGHT_FRAME_ID (0x201u)
 #define SUREFOOT_LEG_COMMAND_LEFT_FRAME_ID (0x202u)
+#define SUREFOOT_LEG_INERTIAL_RIGHT_FRAME_ID (0x281u)
+#define SUREFOOT_LEG_INERTIAL_LEFT_FRAME_ID (0x282u)
+#define SUREFOOT_FOOT_INERTIAL_RIGHT_FRAME_ID (0x283u)
+#define SUREFOOT_FOOT_INERTIAL_LEFT_FRAME_ID (0x284u)
+#define SUREFOOT_LEG_POSITION_RIGHT_FRAME_ID (0x301u)
+#define SUREFOOT_LEG_POSITION_LEFT_FRAME_ID (0x302u)
 #define SUREFOOT_HEARTBEAT_LEG_RIGHT_FRAME_ID (0x701u)
 #define SUREFOOT_HEARTBEAT_LEG_LEFT_FRAME_ID (0x702u)
 #define SUREFOOT_HEARTBEAT_FOOT_RIGHT_FRAME_ID (0x703u)
@@ -82,6 +88,12 @@ extern "C" {
 #define SUREFOOT_IMU_LENGTH (20u)
 #define SUREFOOT_LEG_COMMAND_RIGHT_LENGTH (20u)
 #define SUREFOOT_LEG_COMMAND_LEFT_LENGTH (20u)
+#define SUREFOOT_LEG_INERTIAL_RIGHT_LENGTH (8u)
+#define SUREFOOT_LEG_INERTIAL_LEFT_LENGTH (8u)
+#define SUREFOOT_FOOT_INERTIAL_RIGHT_LENGTH (16u)
+#define SUREFOOT_FOOT_INERTIAL_LEFT_LENGTH (16u)
+#define SUREFOOT_LEG_POSITION_RIGHT_LENGTH (24u)
+#define SUREFOOT_LEG_POSITION_LEFT_LENGTH (24u)
 #define SUREFOOT_HEARTBEAT_LEG_RIGHT_LENGTH (8u)
 #define SUREFOOT_HEARTBEAT_LEG_LEFT_LENGTH (8u)
 #define SUREFOOT_HEARTBEAT_FOOT_RIGHT_LENGTH (8u)
@@ -105,6 +117,12 @@ extern "C" {
 #define SUREFOOT_IMU_IS_EXTENDED (0)
 #define SUREFOOT_LEG_COMMAND_RIGHT_IS_EXTENDED (0)
 #define SUREFOOT_LEG_COMMAND_LEFT_IS_EXTENDED (0)
+#define SUREFOOT_LEG_INERTIAL_RIGHT_IS_EXTENDED (0)
+#define SUREFOOT_LEG_INERTIAL_LEFT_IS_EXTENDED (0)
+#define SUREFOOT_FOOT_INERTIAL_RIGHT_IS_EXTENDED (0)
+#define SUREFOOT_FOOT_INERTIAL_LEFT_IS_EXTENDED (0)
+#define SUREFOOT_LEG_POSITION_RIGHT_IS_EXTENDED (0)
+#define SUREFOOT_LEG_POSITION_LEFT_IS_EXTENDED (0)
 #define SUREFOOT_HEARTBEAT_LEG_RIGHT_IS_EXTENDED (0)
 #define SUREFOOT_HEARTBEAT_LEG_LEFT_IS_EXTENDED (0)
 #define SUREFOOT_HEARTBEAT_FOOT_RIGHT_IS_EXTENDED (0)
@@ -122,6 +140,12 @@ extern "C" {
 #define SUREFOOT_IMU_CYCLE_TIME_MS (1u)
 #define SUREFOOT_LEG_COMMAND_RIGHT_CYCLE_TIME_MS (1u)
 #define SUREFOOT_LEG_COMMAND_LEFT_CYCLE_TIME_MS (1u)
+#define SUREFOOT_LEG_INERTIAL_RIGHT_CYCLE_TIME_MS (1u)
+#define SUREFOOT_LEG_INERTIAL_LEFT_CYCLE_TIME_MS (1u)
+#define SUREFOOT_FOOT_INERTIAL_RIGHT_CYCLE_TIME_MS (1u)
+#define SUREFOOT_FOOT_INERTIAL_LEFT_CYCLE_TIME_MS (1u)
+#define SUREFOOT_LEG_POSITION_RIGHT_CYCLE_TIME_MS (1u)
+#define SUREFOOT_LEG_POSITION_LEFT_CYCLE_TIME_MS (1u)
 #define SUREFOOT_HEARTBEAT_LEG_RIGHT_CYCLE_TIME_MS (100u)
 #define SUREFOOT_HEARTBEAT_LEG_LEFT_CYCLE_TIME_MS (100u)
 #define SUREFOOT_HEARTBEAT_FOOT_RIGHT_CYCLE_TIME_MS (100u)
@@ -198,20 +222,32 @@ extern "C" {
 #define SUREFOOT_HEARTBEAT_LEG_RIGHT_NMT_STATE_OPERATIONAL_CHOICE (5u)
 #define SUREFOOT_HEARTBEAT_LEG_RIGHT_NMT_STATE_PRE_OPERATIONAL_CHOICE (127u)
 
+#define SUREFOOT_HEARTBEAT_LEG_RIGHT_HAS_INERTIAL_SENSORS_NO_CHOICE (0u)
+#define SUREFOOT_HEARTBEAT_LEG_RIGHT_HAS_INERTIAL_SENSORS_YES_CHOICE (1u)
+
 #define SUREFOOT_HEARTBEAT_LEG_LEFT_NMT_STATE_BOOT_UP_CHOICE (0u)
 #define SUREFOOT_HEARTBEAT_LEG_LEFT_NMT_STATE_STOPPED_CHOICE (4u)
 #define SUREFOOT_HEARTBEAT_LEG_LEFT_NMT_STATE_OPERATIONAL_CHOICE (5u)
 #define SUREFOOT_HEARTBEAT_LEG_LEFT_NMT_STATE_PRE_OPERATIONAL_CHOICE (127u)
+
+#define SUREFOOT_HEARTBEAT_LEG_LEFT_HAS_INERTIAL_SENSORS_NO_CHOICE (0u)
+#define SUREFOOT_HEARTBEAT_LEG_LEFT_HAS_INERTIAL_SENSORS_YES_CHOICE (1u)
 
 #define SUREFOOT_HEARTBEAT_FOOT_RIGHT_NMT_STATE_BOOT_UP_CHOICE (0u)
 #define SUREFOOT_HEARTBEAT_FOOT_RIGHT_NMT_STATE_STOPPED_CHOICE (4u)
 #define SUREFOOT_HEARTBEAT_FOOT_RIGHT_NMT_STATE_OPERATIONAL_CHOICE (5u)
 #define SUREFOOT_HEARTBEAT_FOOT_RIGHT_NMT_STATE_PRE_OPERATIONAL_CHOICE (127u)
 
+#define SUREFOOT_HEARTBEAT_FOOT_RIGHT_HAS_INERTIAL_SENSORS_NO_CHOICE (0u)
+#define SUREFOOT_HEARTBEAT_FOOT_RIGHT_HAS_INERTIAL_SENSORS_YES_CHOICE (1u)
+
 #define SUREFOOT_HEARTBEAT_FOOT_LEFT_NMT_STATE_BOOT_UP_CHOICE (0u)
 #define SUREFOOT_HEARTBEAT_FOOT_LEFT_NMT_STATE_STOPPED_CHOICE (4u)
 #define SUREFOOT_HEARTBEAT_FOOT_LEFT_NMT_STATE_OPERATIONAL_CHOICE (5u)
 #define SUREFOOT_HEARTBEAT_FOOT_LEFT_NMT_STATE_PRE_OPERATIONAL_CHOICE (127u)
+
+#define SUREFOOT_HEARTBEAT_FOOT_LEFT_HAS_INERTIAL_SENSORS_NO_CHOICE (0u)
+#define SUREFOOT_HEARTBEAT_FOOT_LEFT_HAS_INERTIAL_SENSORS_YES_CHOICE (1u)
 
 #define SUREFOOT_HEARTBEAT_TORSO_IMU_NMT_STATE_BOOT_UP_CHOICE (0u)
 #define SUREFOOT_HEARTBEAT_TORSO_IMU_NMT_STATE_STOPPED_CHOICE (4u)
@@ -238,6 +274,12 @@ extern "C" {
 #define SUREFOOT_IMU_NAME "IMU"
 #define SUREFOOT_LEG_COMMAND_RIGHT_NAME "LEG_COMMAND_RIGHT"
 #define SUREFOOT_LEG_COMMAND_LEFT_NAME "LEG_COMMAND_LEFT"
+#define SUREFOOT_LEG_INERTIAL_RIGHT_NAME "LEG_INERTIAL_RIGHT"
+#define SUREFOOT_LEG_INERTIAL_LEFT_NAME "LEG_INERTIAL_LEFT"
+#define SUREFOOT_FOOT_INERTIAL_RIGHT_NAME "FOOT_INERTIAL_RIGHT"
+#define SUREFOOT_FOOT_INERTIAL_LEFT_NAME "FOOT_INERTIAL_LEFT"
+#define SUREFOOT_LEG_POSITION_RIGHT_NAME "LEG_POSITION_RIGHT"
+#define SUREFOOT_LEG_POSITION_LEFT_NAME "LEG_POSITION_LEFT"
 #define SUREFOOT_HEARTBEAT_LEG_RIGHT_NAME "HEARTBEAT_LEG_RIGHT"
 #define SUREFOOT_HEARTBEAT_LEG_LEFT_NAME "HEARTBEAT_LEG_LEFT"
 #define SUREFOOT_HEARTBEAT_FOOT_RIGHT_NAME "HEARTBEAT_FOOT_RIGHT"
@@ -371,24 +413,68 @@ extern "C" {
 #define SUREFOOT_LEG_COMMAND_LEFT_KNEE_PITCH_TORQUE_NM_NAME "knee_pitch_torque_nm"
 #define SUREFOOT_LEG_COMMAND_LEFT_ANKLE_PITCH_TORQUE_NM_NAME "ankle_pitch_torque_nm"
 #define SUREFOOT_LEG_COMMAND_LEFT_ANKLE_ROLL_TORQUE_NM_NAME "ankle_roll_torque_nm"
+#define SUREFOOT_LEG_INERTIAL_RIGHT_CRC_NAME "crc"
+#define SUREFOOT_LEG_INERTIAL_RIGHT_COUNTER_NAME "counter"
+#define SUREFOOT_LEG_INERTIAL_RIGHT_TICK_NAME "tick"
+#define SUREFOOT_LEG_INERTIAL_RIGHT_HIP_ROLL_RATE_RAD_S_NAME "hip_roll_rate_rad_s"
+#define SUREFOOT_LEG_INERTIAL_LEFT_CRC_NAME "crc"
+#define SUREFOOT_LEG_INERTIAL_LEFT_COUNTER_NAME "counter"
+#define SUREFOOT_LEG_INERTIAL_LEFT_TICK_NAME "tick"
+#define SUREFOOT_LEG_INERTIAL_LEFT_HIP_ROLL_RATE_RAD_S_NAME "hip_roll_rate_rad_s"
+#define SUREFOOT_FOOT_INERTIAL_RIGHT_CRC_NAME "crc"
+#define SUREFOOT_FOOT_INERTIAL_RIGHT_COUNTER_NAME "counter"
+#define SUREFOOT_FOOT_INERTIAL_RIGHT_TICK_NAME "tick"
+#define SUREFOOT_FOOT_INERTIAL_RIGHT_SOLE_ROLL_RAD_NAME "sole_roll_rad"
+#define SUREFOOT_FOOT_INERTIAL_RIGHT_SOLE_PITCH_RAD_NAME "sole_pitch_rad"
+#define SUREFOOT_FOOT_INERTIAL_RIGHT_SPECIFIC_FORCE_X_FOOT_M_S2_NAME "specific_force_x_foot_m_s2"
+#define SUREFOOT_FOOT_INERTIAL_RIGHT_SPECIFIC_FORCE_Y_FOOT_M_S2_NAME "specific_force_y_foot_m_s2"
+#define SUREFOOT_FOOT_INERTIAL_LEFT_CRC_NAME "crc"
+#define SUREFOOT_FOOT_INERTIAL_LEFT_COUNTER_NAME "counter"
+#define SUREFOOT_FOOT_INERTIAL_LEFT_TICK_NAME "tick"
+#define SUREFOOT_FOOT_INERTIAL_LEFT_SOLE_ROLL_RAD_NAME "sole_roll_rad"
+#define SUREFOOT_FOOT_INERTIAL_LEFT_SOLE_PITCH_RAD_NAME "sole_pitch_rad"
+#define SUREFOOT_FOOT_INERTIAL_LEFT_SPECIFIC_FORCE_X_FOOT_M_S2_NAME "specific_force_x_foot_m_s2"
+#define SUREFOOT_FOOT_INERTIAL_LEFT_SPECIFIC_FORCE_Y_FOOT_M_S2_NAME "specific_force_y_foot_m_s2"
+#define SUREFOOT_LEG_POSITION_RIGHT_CRC_NAME "crc"
+#define SUREFOOT_LEG_POSITION_RIGHT_COUNTER_NAME "counter"
+#define SUREFOOT_LEG_POSITION_RIGHT_TICK_NAME "tick"
+#define SUREFOOT_LEG_POSITION_RIGHT_HIP_YAW_ANGLE_RAD_NAME "hip_yaw_angle_rad"
+#define SUREFOOT_LEG_POSITION_RIGHT_HIP_ROLL_ANGLE_RAD_NAME "hip_roll_angle_rad"
+#define SUREFOOT_LEG_POSITION_RIGHT_HIP_PITCH_ANGLE_RAD_NAME "hip_pitch_angle_rad"
+#define SUREFOOT_LEG_POSITION_RIGHT_KNEE_PITCH_ANGLE_RAD_NAME "knee_pitch_angle_rad"
+#define SUREFOOT_LEG_POSITION_RIGHT_ANKLE_PITCH_ANGLE_RAD_NAME "ankle_pitch_angle_rad"
+#define SUREFOOT_LEG_POSITION_RIGHT_ANKLE_ROLL_ANGLE_RAD_NAME "ankle_roll_angle_rad"
+#define SUREFOOT_LEG_POSITION_LEFT_CRC_NAME "crc"
+#define SUREFOOT_LEG_POSITION_LEFT_COUNTER_NAME "counter"
+#define SUREFOOT_LEG_POSITION_LEFT_TICK_NAME "tick"
+#define SUREFOOT_LEG_POSITION_LEFT_HIP_YAW_ANGLE_RAD_NAME "hip_yaw_angle_rad"
+#define SUREFOOT_LEG_POSITION_LEFT_HIP_ROLL_ANGLE_RAD_NAME "hip_roll_angle_rad"
+#define SUREFOOT_LEG_POSITION_LEFT_HIP_PITCH_ANGLE_RAD_NAME "hip_pitch_angle_rad"
+#define SUREFOOT_LEG_POSITION_LEFT_KNEE_PITCH_ANGLE_RAD_NAME "knee_pitch_angle_rad"
+#define SUREFOOT_LEG_POSITION_LEFT_ANKLE_PITCH_ANGLE_RAD_NAME "ankle_pitch_angle_rad"
+#define SUREFOOT_LEG_POSITION_LEFT_ANKLE_ROLL_ANGLE_RAD_NAME "ankle_roll_angle_rad"
 #define SUREFOOT_HEARTBEAT_LEG_RIGHT_NMT_STATE_NAME "nmt_state"
 #define SUREFOOT_HEARTBEAT_LEG_RIGHT_PROTOCOL_VERSION_NAME "protocol_version"
 #define SUREFOOT_HEARTBEAT_LEG_RIGHT_COUNTER_NAME "counter"
+#define SUREFOOT_HEARTBEAT_LEG_RIGHT_HAS_INERTIAL_SENSORS_NAME "has_inertial_sensors"
 #define SUREFOOT_HEARTBEAT_LEG_RIGHT_TICK_NAME "tick"
 #define SUREFOOT_HEARTBEAT_LEG_RIGHT_CRC_NAME "crc"
 #define SUREFOOT_HEARTBEAT_LEG_LEFT_NMT_STATE_NAME "nmt_state"
 #define SUREFOOT_HEARTBEAT_LEG_LEFT_PROTOCOL_VERSION_NAME "protocol_version"
 #define SUREFOOT_HEARTBEAT_LEG_LEFT_COUNTER_NAME "counter"
+#define SUREFOOT_HEARTBEAT_LEG_LEFT_HAS_INERTIAL_SENSORS_NAME "has_inertial_sensors"
 #define SUREFOOT_HEARTBEAT_LEG_LEFT_TICK_NAME "tick"
 #define SUREFOOT_HEARTBEAT_LEG_LEFT_CRC_NAME "crc"
 #define SUREFOOT_HEARTBEAT_FOOT_RIGHT_NMT_STATE_NAME "nmt_state"
 #define SUREFOOT_HEARTBEAT_FOOT_RIGHT_PROTOCOL_VERSION_NAME "protocol_version"
 #define SUREFOOT_HEARTBEAT_FOOT_RIGHT_COUNTER_NAME "counter"
+#define SUREFOOT_HEARTBEAT_FOOT_RIGHT_HAS_INERTIAL_SENSORS_NAME "has_inertial_sensors"
 #define SUREFOOT_HEARTBEAT_FOOT_RIGHT_TICK_NAME "tick"
 #define SUREFOOT_HEARTBEAT_FOOT_RIGHT_CRC_NAME "crc"
 #define SUREFOOT_HEARTBEAT_FOOT_LEFT_NMT_STATE_NAME "nmt_state"
 #define SUREFOOT_HEARTBEAT_FOOT_LEFT_PROTOCOL_VERSION_NAME "protocol_version"
 #define SUREFOOT_HEARTBEAT_FOOT_LEFT_COUNTER_NAME "counter"
+#define SUREFOOT_HEARTBEAT_FOOT_LEFT_HAS_INERTIAL_SENSORS_NAME "has_inertial_sensors"
 #define SUREFOOT_HEARTBEAT_FOOT_LEFT_TICK_NAME "tick"
 #define SUREFOOT_HEARTBEAT_FOOT_LEFT_CRC_NAME "crc"
 #define SUREFOOT_HEARTBEAT_TORSO_IMU_NMT_STATE_NAME "nmt_state"
@@ -792,7 +878,7 @@ struct surefoot_leg_state_right_t {
     uint8_t counter;
 
     /**
-     * No torque frame came in time: joints are damped.
+     * No command frame came in time: joints are damped.
      *
      * Range: 0..1 (0..1 -)
      * Scale: 1
@@ -810,7 +896,7 @@ struct surefoot_leg_state_right_t {
     uint8_t is_torque_limited;
 
     /**
-     * Torques are ignored and the joints are damped.
+     * Commands are ignored and the joints are damped.
      *
      * Range: 0..1 (0..1 -)
      * Scale: 1
@@ -1017,7 +1103,7 @@ struct surefoot_leg_state_left_t {
     uint8_t counter;
 
     /**
-     * No torque frame came in time: joints are damped.
+     * No command frame came in time: joints are damped.
      *
      * Range: 0..1 (0..1 -)
      * Scale: 1
@@ -1035,7 +1121,7 @@ struct surefoot_leg_state_left_t {
     uint8_t is_torque_limited;
 
     /**
-     * Torques are ignored and the joints are damped.
+     * Commands are ignored and the joints are damped.
      *
      * Range: 0..1 (0..1 -)
      * Scale: 1
@@ -1648,9 +1734,423 @@ struct surefoot_leg_command_left_t {
 };
 
 /**
+ * Signals in message LEG_INERTIAL_RIGHT.
+ *
+ * Answer of the right leg board to SYNC, beside its state, where the leg carries a gyroscope. The byte after the counter is reserved, sent as 0.
+ *
+ * All signal values are as on the CAN bus.
+ */
+struct surefoot_leg_inertial_right_t {
+    /**
+     * CRC-16/CCITT-FALSE over the identifier (2 bytes, low byte first), then all payload bytes but these two.
+     *
+     * Range: 0..65535 (0..65535 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint16_t crc;
+
+    /**
+     * Rolling counter of this identifier: one up for each frame, wraps at 255.
+     *
+     * Range: 0..255 (0..255 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t counter;
+
+    /**
+     * Low 16 bits of the tick that this frame belongs to.
+     *
+     * Range: 0..65535 (0..65535 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint16_t tick;
+
+    /**
+     * Angular rate of the link behind the hip roll joint about that link's forward axis.
+     *
+     * Range: -32000..32000 (-16..16 rad/s)
+     * Scale: 0.0005
+     * Offset: 0
+     */
+    int16_t hip_roll_rate_rad_s;
+};
+
+/**
+ * Signals in message LEG_INERTIAL_LEFT.
+ *
+ * Answer of the left leg board to SYNC, beside its state, where the leg carries a gyroscope. The byte after the counter is reserved, sent as 0.
+ *
+ * All signal values are as on the CAN bus.
+ */
+struct surefoot_leg_inertial_left_t {
+    /**
+     * CRC-16/CCITT-FALSE over the identifier (2 bytes, low byte first), then all payload bytes but these two.
+     *
+     * Range: 0..65535 (0..65535 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint16_t crc;
+
+    /**
+     * Rolling counter of this identifier: one up for each frame, wraps at 255.
+     *
+     * Range: 0..255 (0..255 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t counter;
+
+    /**
+     * Low 16 bits of the tick that this frame belongs to.
+     *
+     * Range: 0..65535 (0..65535 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint16_t tick;
+
+    /**
+     * Angular rate of the link behind the hip roll joint about that link's forward axis.
+     *
+     * Range: -32000..32000 (-16..16 rad/s)
+     * Scale: 0.0005
+     * Offset: 0
+     */
+    int16_t hip_roll_rate_rad_s;
+};
+
+/**
+ * Signals in message FOOT_INERTIAL_RIGHT.
+ *
+ * Answer of the right foot to SYNC, beside its forces, where the foot carries inertial sensors. The byte after the counter and the last two are reserved, sent as 0.
+ *
+ * All signal values are as on the CAN bus.
+ */
+struct surefoot_foot_inertial_right_t {
+    /**
+     * CRC-16/CCITT-FALSE over the identifier (2 bytes, low byte first), then all payload bytes but these two.
+     *
+     * Range: 0..65535 (0..65535 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint16_t crc;
+
+    /**
+     * Rolling counter of this identifier: one up for each frame, wraps at 255.
+     *
+     * Range: 0..255 (0..255 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t counter;
+
+    /**
+     * Low 16 bits of the tick that this frame belongs to.
+     *
+     * Range: 0..65535 (0..65535 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint16_t tick;
+
+    /**
+     * Roll of the sole against the vertical, rotation z-y-x as of the torso; positive with its right edge down.
+     *
+     * Range: -32000..32000 (-1.6..1.6 rad)
+     * Scale: 5e-05
+     * Offset: 0
+     */
+    int16_t sole_roll_rad;
+
+    /**
+     * Pitch of the sole against the vertical, rotation z-y-x as of the torso; positive with its toe down.
+     *
+     * Range: -32000..32000 (-1.6..1.6 rad)
+     * Scale: 5e-05
+     * Offset: 0
+     */
+    int16_t sole_pitch_rad;
+
+    /**
+     * Specific force at the ankle's projection on the sole, mean over the period, along x of the foot frame; 0 at rest on the level.
+     *
+     * Range: -32000..32000 (-160..160 m/s2)
+     * Scale: 0.005
+     * Offset: 0
+     */
+    int16_t specific_force_x_foot_m_s2;
+
+    /**
+     * Specific force at the ankle's projection on the sole, mean over the period, along y of the foot frame; 0 at rest on the level.
+     *
+     * Range: -32000..32000 (-160..160 m/s2)
+     * Scale: 0.005
+     * Offset: 0
+     */
+    int16_t specific_force_y_foot_m_s2;
+};
+
+/**
+ * Signals in message FOOT_INERTIAL_LEFT.
+ *
+ * Answer of the left foot to SYNC, beside its forces, where the foot carries inertial sensors. The byte after the counter and the last two are reserved, sent as 0.
+ *
+ * All signal values are as on the CAN bus.
+ */
+struct surefoot_foot_inertial_left_t {
+    /**
+     * CRC-16/CCITT-FALSE over the identifier (2 bytes, low byte first), then all payload bytes but these two.
+     *
+     * Range: 0..65535 (0..65535 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint16_t crc;
+
+    /**
+     * Rolling counter of this identifier: one up for each frame, wraps at 255.
+     *
+     * Range: 0..255 (0..255 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t counter;
+
+    /**
+     * Low 16 bits of the tick that this frame belongs to.
+     *
+     * Range: 0..65535 (0..65535 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint16_t tick;
+
+    /**
+     * Roll of the sole against the vertical, rotation z-y-x as of the torso; positive with its right edge down.
+     *
+     * Range: -32000..32000 (-1.6..1.6 rad)
+     * Scale: 5e-05
+     * Offset: 0
+     */
+    int16_t sole_roll_rad;
+
+    /**
+     * Pitch of the sole against the vertical, rotation z-y-x as of the torso; positive with its toe down.
+     *
+     * Range: -32000..32000 (-1.6..1.6 rad)
+     * Scale: 5e-05
+     * Offset: 0
+     */
+    int16_t sole_pitch_rad;
+
+    /**
+     * Specific force at the ankle's projection on the sole, mean over the period, along x of the foot frame; 0 at rest on the level.
+     *
+     * Range: -32000..32000 (-160..160 m/s2)
+     * Scale: 0.005
+     * Offset: 0
+     */
+    int16_t specific_force_x_foot_m_s2;
+
+    /**
+     * Specific force at the ankle's projection on the sole, mean over the period, along y of the foot frame; 0 at rest on the level.
+     *
+     * Range: -32000..32000 (-160..160 m/s2)
+     * Scale: 0.005
+     * Offset: 0
+     */
+    int16_t specific_force_y_foot_m_s2;
+};
+
+/**
+ * Signals in message LEG_POSITION_RIGHT.
+ *
+ * Angles for the right leg board, in the place of torques: its own servo brings the joints there within a control period and holds them. A tick has either this frame or that of the torques; both together are two masters. The byte after the counter is reserved, sent as 0.
+ *
+ * All signal values are as on the CAN bus.
+ */
+struct surefoot_leg_position_right_t {
+    /**
+     * CRC-16/CCITT-FALSE over the identifier (2 bytes, low byte first), then all payload bytes but these two.
+     *
+     * Range: 0..65535 (0..65535 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint16_t crc;
+
+    /**
+     * Rolling counter of this identifier: one up for each frame, wraps at 255.
+     *
+     * Range: 0..255 (0..255 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t counter;
+
+    /**
+     * Low 16 bits of the tick that this frame belongs to.
+     *
+     * Range: 0..65535 (0..65535 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint16_t tick;
+
+    /**
+     * Angle wanted of the hip yaw joint, held until the next frame.
+     *
+     * Range: -3200000..3200000 (-3.2..3.2 rad)
+     * Scale: 1e-06
+     * Offset: 0
+     */
+    int32_t hip_yaw_angle_rad;
+
+    /**
+     * Angle wanted of the hip roll joint, held until the next frame.
+     *
+     * Range: -3200000..3200000 (-3.2..3.2 rad)
+     * Scale: 1e-06
+     * Offset: 0
+     */
+    int32_t hip_roll_angle_rad;
+
+    /**
+     * Angle wanted of the hip pitch joint, held until the next frame.
+     *
+     * Range: -3200000..3200000 (-3.2..3.2 rad)
+     * Scale: 1e-06
+     * Offset: 0
+     */
+    int32_t hip_pitch_angle_rad;
+
+    /**
+     * Angle wanted of the knee pitch joint, held until the next frame.
+     *
+     * Range: -3200000..3200000 (-3.2..3.2 rad)
+     * Scale: 1e-06
+     * Offset: 0
+     */
+    int32_t knee_pitch_angle_rad;
+
+    /**
+     * Angle wanted of the ankle pitch joint, held until the next frame.
+     *
+     * Range: -3200000..3200000 (-3.2..3.2 rad)
+     * Scale: 1e-06
+     * Offset: 0
+     */
+    int32_t ankle_pitch_angle_rad;
+
+    /**
+     * Angle wanted of the ankle roll joint, held until the next frame.
+     *
+     * Range: -3200000..3200000 (-3.2..3.2 rad)
+     * Scale: 1e-06
+     * Offset: 0
+     */
+    int32_t ankle_roll_angle_rad;
+};
+
+/**
+ * Signals in message LEG_POSITION_LEFT.
+ *
+ * Angles for the left leg board, in the place of torques: its own servo brings the joints there within a control period and holds them. A tick has either this frame or that of the torques; both together are two masters. The byte after the counter is reserved, sent as 0.
+ *
+ * All signal values are as on the CAN bus.
+ */
+struct surefoot_leg_position_left_t {
+    /**
+     * CRC-16/CCITT-FALSE over the identifier (2 bytes, low byte first), then all payload bytes but these two.
+     *
+     * Range: 0..65535 (0..65535 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint16_t crc;
+
+    /**
+     * Rolling counter of this identifier: one up for each frame, wraps at 255.
+     *
+     * Range: 0..255 (0..255 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t counter;
+
+    /**
+     * Low 16 bits of the tick that this frame belongs to.
+     *
+     * Range: 0..65535 (0..65535 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint16_t tick;
+
+    /**
+     * Angle wanted of the hip yaw joint, held until the next frame.
+     *
+     * Range: -3200000..3200000 (-3.2..3.2 rad)
+     * Scale: 1e-06
+     * Offset: 0
+     */
+    int32_t hip_yaw_angle_rad;
+
+    /**
+     * Angle wanted of the hip roll joint, held until the next frame.
+     *
+     * Range: -3200000..3200000 (-3.2..3.2 rad)
+     * Scale: 1e-06
+     * Offset: 0
+     */
+    int32_t hip_roll_angle_rad;
+
+    /**
+     * Angle wanted of the hip pitch joint, held until the next frame.
+     *
+     * Range: -3200000..3200000 (-3.2..3.2 rad)
+     * Scale: 1e-06
+     * Offset: 0
+     */
+    int32_t hip_pitch_angle_rad;
+
+    /**
+     * Angle wanted of the knee pitch joint, held until the next frame.
+     *
+     * Range: -3200000..3200000 (-3.2..3.2 rad)
+     * Scale: 1e-06
+     * Offset: 0
+     */
+    int32_t knee_pitch_angle_rad;
+
+    /**
+     * Angle wanted of the ankle pitch joint, held until the next frame.
+     *
+     * Range: -3200000..3200000 (-3.2..3.2 rad)
+     * Scale: 1e-06
+     * Offset: 0
+     */
+    int32_t ankle_pitch_angle_rad;
+
+    /**
+     * Angle wanted of the ankle roll joint, held until the next frame.
+     *
+     * Range: -3200000..3200000 (-3.2..3.2 rad)
+     * Scale: 1e-06
+     * Offset: 0
+     */
+    int32_t ankle_roll_angle_rad;
+};
+
+/**
  * Signals in message HEARTBEAT_LEG_RIGHT.
  *
- * Heartbeat of the right leg board; byte 0 is the NMT state, as CiA 301 has it. The byte after the counter is reserved, sent as 0.
+ * Heartbeat of the right leg board; byte 0 is the NMT state, as CiA 301 has it. The other bits of the byte after the counter are reserved, sent as 0.
  *
  * All signal values are as on the CAN bus.
  */
@@ -1683,6 +2183,15 @@ struct surefoot_heartbeat_leg_right_t {
     uint8_t counter;
 
     /**
+     * The node answers SYNC with its inertial frame too, and a tick waits for it; a leg or foot.
+     *
+     * Range: 0..1 (0..1 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t has_inertial_sensors;
+
+    /**
      * Low 16 bits of the tick that last ran at the sender.
      *
      * Range: 0..65535 (0..65535 -)
@@ -1704,7 +2213,7 @@ struct surefoot_heartbeat_leg_right_t {
 /**
  * Signals in message HEARTBEAT_LEG_LEFT.
  *
- * Heartbeat of the left leg board; byte 0 is the NMT state, as CiA 301 has it. The byte after the counter is reserved, sent as 0.
+ * Heartbeat of the left leg board; byte 0 is the NMT state, as CiA 301 has it. The other bits of the byte after the counter are reserved, sent as 0.
  *
  * All signal values are as on the CAN bus.
  */
@@ -1737,6 +2246,15 @@ struct surefoot_heartbeat_leg_left_t {
     uint8_t counter;
 
     /**
+     * The node answers SYNC with its inertial frame too, and a tick waits for it; a leg or foot.
+     *
+     * Range: 0..1 (0..1 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t has_inertial_sensors;
+
+    /**
      * Low 16 bits of the tick that last ran at the sender.
      *
      * Range: 0..65535 (0..65535 -)
@@ -1758,7 +2276,7 @@ struct surefoot_heartbeat_leg_left_t {
 /**
  * Signals in message HEARTBEAT_FOOT_RIGHT.
  *
- * Heartbeat of the right foot; byte 0 is the NMT state, as CiA 301 has it. The byte after the counter is reserved, sent as 0.
+ * Heartbeat of the right foot; byte 0 is the NMT state, as CiA 301 has it. The other bits of the byte after the counter are reserved, sent as 0.
  *
  * All signal values are as on the CAN bus.
  */
@@ -1791,6 +2309,15 @@ struct surefoot_heartbeat_foot_right_t {
     uint8_t counter;
 
     /**
+     * The node answers SYNC with its inertial frame too, and a tick waits for it; a leg or foot.
+     *
+     * Range: 0..1 (0..1 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t has_inertial_sensors;
+
+    /**
      * Low 16 bits of the tick that last ran at the sender.
      *
      * Range: 0..65535 (0..65535 -)
@@ -1812,7 +2339,7 @@ struct surefoot_heartbeat_foot_right_t {
 /**
  * Signals in message HEARTBEAT_FOOT_LEFT.
  *
- * Heartbeat of the left foot; byte 0 is the NMT state, as CiA 301 has it. The byte after the counter is reserved, sent as 0.
+ * Heartbeat of the left foot; byte 0 is the NMT state, as CiA 301 has it. The other bits of the byte after the counter are reserved, sent as 0.
  *
  * All signal values are as on the CAN bus.
  */
@@ -1843,6 +2370,15 @@ struct surefoot_heartbeat_foot_left_t {
      * Offset: 0
      */
     uint8_t counter;
+
+    /**
+     * The node answers SYNC with its inertial frame too, and a tick waits for it; a leg or foot.
+     *
+     * Range: 0..1 (0..1 -)
+     * Scale: 1
+     * Offset: 0
+     */
+    uint8_t has_inertial_sensors;
 
     /**
      * Low 16 bits of the tick that last ran at the sender.
@@ -7486,6 +8022,1828 @@ bool surefoot_leg_command_left_ankle_roll_torque_nm_is_in_range(int16_t value);
 bool surefoot_leg_command_left_ankle_roll_torque_nm_is_in_phys_range(double value);
 
 /**
+ * Pack message LEG_INERTIAL_RIGHT.
+ *
+ * @param[out] dst_p Buffer to pack the message into.
+ * @param[in] src_p Data to pack.
+ * @param[in] size Size of dst_p.
+ *
+ * @return Size of packed data, or negative error code.
+ */
+int surefoot_leg_inertial_right_pack(
+    uint8_t *dst_p,
+    const struct surefoot_leg_inertial_right_t *src_p,
+    size_t size);
+
+/**
+ * Unpack message LEG_INERTIAL_RIGHT.
+ *
+ * @param[out] dst_p Object to unpack the message into.
+ * @param[in] src_p Message to unpack.
+ * @param[in] size Size of src_p.
+ *
+ * @return zero(0) or negative error code.
+ */
+int surefoot_leg_inertial_right_unpack(
+    struct surefoot_leg_inertial_right_t *dst_p,
+    const uint8_t *src_p,
+    size_t size);
+
+/**
+ * Init message fields to default values from LEG_INERTIAL_RIGHT.
+ *
+ * @param[in] msg_p Message to init.
+ *
+ * @return zero(0) on success or (-1) in case of nullptr argument.
+ */
+int surefoot_leg_inertial_right_init(struct surefoot_leg_inertial_right_t *msg_p);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint16_t surefoot_leg_inertial_right_crc_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_leg_inertial_right_crc_decode(uint16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_inertial_right_crc_is_in_range(uint16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_inertial_right_crc_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t surefoot_leg_inertial_right_counter_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_leg_inertial_right_counter_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_inertial_right_counter_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_inertial_right_counter_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint16_t surefoot_leg_inertial_right_tick_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_leg_inertial_right_tick_decode(uint16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_inertial_right_tick_is_in_range(uint16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_inertial_right_tick_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+int16_t surefoot_leg_inertial_right_hip_roll_rate_rad_s_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_leg_inertial_right_hip_roll_rate_rad_s_decode(int16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_inertial_right_hip_roll_rate_rad_s_is_in_range(int16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_inertial_right_hip_roll_rate_rad_s_is_in_phys_range(double value);
+
+/**
+ * Pack message LEG_INERTIAL_LEFT.
+ *
+ * @param[out] dst_p Buffer to pack the message into.
+ * @param[in] src_p Data to pack.
+ * @param[in] size Size of dst_p.
+ *
+ * @return Size of packed data, or negative error code.
+ */
+int surefoot_leg_inertial_left_pack(
+    uint8_t *dst_p,
+    const struct surefoot_leg_inertial_left_t *src_p,
+    size_t size);
+
+/**
+ * Unpack message LEG_INERTIAL_LEFT.
+ *
+ * @param[out] dst_p Object to unpack the message into.
+ * @param[in] src_p Message to unpack.
+ * @param[in] size Size of src_p.
+ *
+ * @return zero(0) or negative error code.
+ */
+int surefoot_leg_inertial_left_unpack(
+    struct surefoot_leg_inertial_left_t *dst_p,
+    const uint8_t *src_p,
+    size_t size);
+
+/**
+ * Init message fields to default values from LEG_INERTIAL_LEFT.
+ *
+ * @param[in] msg_p Message to init.
+ *
+ * @return zero(0) on success or (-1) in case of nullptr argument.
+ */
+int surefoot_leg_inertial_left_init(struct surefoot_leg_inertial_left_t *msg_p);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint16_t surefoot_leg_inertial_left_crc_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_leg_inertial_left_crc_decode(uint16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_inertial_left_crc_is_in_range(uint16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_inertial_left_crc_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t surefoot_leg_inertial_left_counter_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_leg_inertial_left_counter_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_inertial_left_counter_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_inertial_left_counter_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint16_t surefoot_leg_inertial_left_tick_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_leg_inertial_left_tick_decode(uint16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_inertial_left_tick_is_in_range(uint16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_inertial_left_tick_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+int16_t surefoot_leg_inertial_left_hip_roll_rate_rad_s_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_leg_inertial_left_hip_roll_rate_rad_s_decode(int16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_inertial_left_hip_roll_rate_rad_s_is_in_range(int16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_inertial_left_hip_roll_rate_rad_s_is_in_phys_range(double value);
+
+/**
+ * Pack message FOOT_INERTIAL_RIGHT.
+ *
+ * @param[out] dst_p Buffer to pack the message into.
+ * @param[in] src_p Data to pack.
+ * @param[in] size Size of dst_p.
+ *
+ * @return Size of packed data, or negative error code.
+ */
+int surefoot_foot_inertial_right_pack(
+    uint8_t *dst_p,
+    const struct surefoot_foot_inertial_right_t *src_p,
+    size_t size);
+
+/**
+ * Unpack message FOOT_INERTIAL_RIGHT.
+ *
+ * @param[out] dst_p Object to unpack the message into.
+ * @param[in] src_p Message to unpack.
+ * @param[in] size Size of src_p.
+ *
+ * @return zero(0) or negative error code.
+ */
+int surefoot_foot_inertial_right_unpack(
+    struct surefoot_foot_inertial_right_t *dst_p,
+    const uint8_t *src_p,
+    size_t size);
+
+/**
+ * Init message fields to default values from FOOT_INERTIAL_RIGHT.
+ *
+ * @param[in] msg_p Message to init.
+ *
+ * @return zero(0) on success or (-1) in case of nullptr argument.
+ */
+int surefoot_foot_inertial_right_init(struct surefoot_foot_inertial_right_t *msg_p);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint16_t surefoot_foot_inertial_right_crc_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_foot_inertial_right_crc_decode(uint16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_foot_inertial_right_crc_is_in_range(uint16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_foot_inertial_right_crc_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t surefoot_foot_inertial_right_counter_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_foot_inertial_right_counter_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_foot_inertial_right_counter_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_foot_inertial_right_counter_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint16_t surefoot_foot_inertial_right_tick_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_foot_inertial_right_tick_decode(uint16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_foot_inertial_right_tick_is_in_range(uint16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_foot_inertial_right_tick_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+int16_t surefoot_foot_inertial_right_sole_roll_rad_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_foot_inertial_right_sole_roll_rad_decode(int16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_foot_inertial_right_sole_roll_rad_is_in_range(int16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_foot_inertial_right_sole_roll_rad_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+int16_t surefoot_foot_inertial_right_sole_pitch_rad_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_foot_inertial_right_sole_pitch_rad_decode(int16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_foot_inertial_right_sole_pitch_rad_is_in_range(int16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_foot_inertial_right_sole_pitch_rad_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+int16_t surefoot_foot_inertial_right_specific_force_x_foot_m_s2_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_foot_inertial_right_specific_force_x_foot_m_s2_decode(int16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_foot_inertial_right_specific_force_x_foot_m_s2_is_in_range(int16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_foot_inertial_right_specific_force_x_foot_m_s2_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+int16_t surefoot_foot_inertial_right_specific_force_y_foot_m_s2_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_foot_inertial_right_specific_force_y_foot_m_s2_decode(int16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_foot_inertial_right_specific_force_y_foot_m_s2_is_in_range(int16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_foot_inertial_right_specific_force_y_foot_m_s2_is_in_phys_range(double value);
+
+/**
+ * Pack message FOOT_INERTIAL_LEFT.
+ *
+ * @param[out] dst_p Buffer to pack the message into.
+ * @param[in] src_p Data to pack.
+ * @param[in] size Size of dst_p.
+ *
+ * @return Size of packed data, or negative error code.
+ */
+int surefoot_foot_inertial_left_pack(
+    uint8_t *dst_p,
+    const struct surefoot_foot_inertial_left_t *src_p,
+    size_t size);
+
+/**
+ * Unpack message FOOT_INERTIAL_LEFT.
+ *
+ * @param[out] dst_p Object to unpack the message into.
+ * @param[in] src_p Message to unpack.
+ * @param[in] size Size of src_p.
+ *
+ * @return zero(0) or negative error code.
+ */
+int surefoot_foot_inertial_left_unpack(
+    struct surefoot_foot_inertial_left_t *dst_p,
+    const uint8_t *src_p,
+    size_t size);
+
+/**
+ * Init message fields to default values from FOOT_INERTIAL_LEFT.
+ *
+ * @param[in] msg_p Message to init.
+ *
+ * @return zero(0) on success or (-1) in case of nullptr argument.
+ */
+int surefoot_foot_inertial_left_init(struct surefoot_foot_inertial_left_t *msg_p);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint16_t surefoot_foot_inertial_left_crc_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_foot_inertial_left_crc_decode(uint16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_foot_inertial_left_crc_is_in_range(uint16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_foot_inertial_left_crc_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t surefoot_foot_inertial_left_counter_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_foot_inertial_left_counter_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_foot_inertial_left_counter_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_foot_inertial_left_counter_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint16_t surefoot_foot_inertial_left_tick_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_foot_inertial_left_tick_decode(uint16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_foot_inertial_left_tick_is_in_range(uint16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_foot_inertial_left_tick_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+int16_t surefoot_foot_inertial_left_sole_roll_rad_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_foot_inertial_left_sole_roll_rad_decode(int16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_foot_inertial_left_sole_roll_rad_is_in_range(int16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_foot_inertial_left_sole_roll_rad_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+int16_t surefoot_foot_inertial_left_sole_pitch_rad_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_foot_inertial_left_sole_pitch_rad_decode(int16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_foot_inertial_left_sole_pitch_rad_is_in_range(int16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_foot_inertial_left_sole_pitch_rad_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+int16_t surefoot_foot_inertial_left_specific_force_x_foot_m_s2_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_foot_inertial_left_specific_force_x_foot_m_s2_decode(int16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_foot_inertial_left_specific_force_x_foot_m_s2_is_in_range(int16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_foot_inertial_left_specific_force_x_foot_m_s2_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+int16_t surefoot_foot_inertial_left_specific_force_y_foot_m_s2_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_foot_inertial_left_specific_force_y_foot_m_s2_decode(int16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_foot_inertial_left_specific_force_y_foot_m_s2_is_in_range(int16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_foot_inertial_left_specific_force_y_foot_m_s2_is_in_phys_range(double value);
+
+/**
+ * Pack message LEG_POSITION_RIGHT.
+ *
+ * @param[out] dst_p Buffer to pack the message into.
+ * @param[in] src_p Data to pack.
+ * @param[in] size Size of dst_p.
+ *
+ * @return Size of packed data, or negative error code.
+ */
+int surefoot_leg_position_right_pack(
+    uint8_t *dst_p,
+    const struct surefoot_leg_position_right_t *src_p,
+    size_t size);
+
+/**
+ * Unpack message LEG_POSITION_RIGHT.
+ *
+ * @param[out] dst_p Object to unpack the message into.
+ * @param[in] src_p Message to unpack.
+ * @param[in] size Size of src_p.
+ *
+ * @return zero(0) or negative error code.
+ */
+int surefoot_leg_position_right_unpack(
+    struct surefoot_leg_position_right_t *dst_p,
+    const uint8_t *src_p,
+    size_t size);
+
+/**
+ * Init message fields to default values from LEG_POSITION_RIGHT.
+ *
+ * @param[in] msg_p Message to init.
+ *
+ * @return zero(0) on success or (-1) in case of nullptr argument.
+ */
+int surefoot_leg_position_right_init(struct surefoot_leg_position_right_t *msg_p);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint16_t surefoot_leg_position_right_crc_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_leg_position_right_crc_decode(uint16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_right_crc_is_in_range(uint16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_right_crc_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t surefoot_leg_position_right_counter_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_leg_position_right_counter_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_right_counter_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_right_counter_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint16_t surefoot_leg_position_right_tick_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_leg_position_right_tick_decode(uint16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_right_tick_is_in_range(uint16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_right_tick_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+int32_t surefoot_leg_position_right_hip_yaw_angle_rad_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_leg_position_right_hip_yaw_angle_rad_decode(int32_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_right_hip_yaw_angle_rad_is_in_range(int32_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_right_hip_yaw_angle_rad_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+int32_t surefoot_leg_position_right_hip_roll_angle_rad_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_leg_position_right_hip_roll_angle_rad_decode(int32_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_right_hip_roll_angle_rad_is_in_range(int32_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_right_hip_roll_angle_rad_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+int32_t surefoot_leg_position_right_hip_pitch_angle_rad_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_leg_position_right_hip_pitch_angle_rad_decode(int32_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_right_hip_pitch_angle_rad_is_in_range(int32_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_right_hip_pitch_angle_rad_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+int32_t surefoot_leg_position_right_knee_pitch_angle_rad_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_leg_position_right_knee_pitch_angle_rad_decode(int32_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_right_knee_pitch_angle_rad_is_in_range(int32_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_right_knee_pitch_angle_rad_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+int32_t surefoot_leg_position_right_ankle_pitch_angle_rad_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_leg_position_right_ankle_pitch_angle_rad_decode(int32_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_right_ankle_pitch_angle_rad_is_in_range(int32_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_right_ankle_pitch_angle_rad_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+int32_t surefoot_leg_position_right_ankle_roll_angle_rad_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_leg_position_right_ankle_roll_angle_rad_decode(int32_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_right_ankle_roll_angle_rad_is_in_range(int32_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_right_ankle_roll_angle_rad_is_in_phys_range(double value);
+
+/**
+ * Pack message LEG_POSITION_LEFT.
+ *
+ * @param[out] dst_p Buffer to pack the message into.
+ * @param[in] src_p Data to pack.
+ * @param[in] size Size of dst_p.
+ *
+ * @return Size of packed data, or negative error code.
+ */
+int surefoot_leg_position_left_pack(
+    uint8_t *dst_p,
+    const struct surefoot_leg_position_left_t *src_p,
+    size_t size);
+
+/**
+ * Unpack message LEG_POSITION_LEFT.
+ *
+ * @param[out] dst_p Object to unpack the message into.
+ * @param[in] src_p Message to unpack.
+ * @param[in] size Size of src_p.
+ *
+ * @return zero(0) or negative error code.
+ */
+int surefoot_leg_position_left_unpack(
+    struct surefoot_leg_position_left_t *dst_p,
+    const uint8_t *src_p,
+    size_t size);
+
+/**
+ * Init message fields to default values from LEG_POSITION_LEFT.
+ *
+ * @param[in] msg_p Message to init.
+ *
+ * @return zero(0) on success or (-1) in case of nullptr argument.
+ */
+int surefoot_leg_position_left_init(struct surefoot_leg_position_left_t *msg_p);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint16_t surefoot_leg_position_left_crc_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_leg_position_left_crc_decode(uint16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_left_crc_is_in_range(uint16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_left_crc_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t surefoot_leg_position_left_counter_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_leg_position_left_counter_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_left_counter_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_left_counter_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint16_t surefoot_leg_position_left_tick_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_leg_position_left_tick_decode(uint16_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_left_tick_is_in_range(uint16_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_left_tick_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+int32_t surefoot_leg_position_left_hip_yaw_angle_rad_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_leg_position_left_hip_yaw_angle_rad_decode(int32_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_left_hip_yaw_angle_rad_is_in_range(int32_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_left_hip_yaw_angle_rad_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+int32_t surefoot_leg_position_left_hip_roll_angle_rad_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_leg_position_left_hip_roll_angle_rad_decode(int32_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_left_hip_roll_angle_rad_is_in_range(int32_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_left_hip_roll_angle_rad_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+int32_t surefoot_leg_position_left_hip_pitch_angle_rad_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_leg_position_left_hip_pitch_angle_rad_decode(int32_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_left_hip_pitch_angle_rad_is_in_range(int32_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_left_hip_pitch_angle_rad_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+int32_t surefoot_leg_position_left_knee_pitch_angle_rad_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_leg_position_left_knee_pitch_angle_rad_decode(int32_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_left_knee_pitch_angle_rad_is_in_range(int32_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_left_knee_pitch_angle_rad_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+int32_t surefoot_leg_position_left_ankle_pitch_angle_rad_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_leg_position_left_ankle_pitch_angle_rad_decode(int32_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_left_ankle_pitch_angle_rad_is_in_range(int32_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_left_ankle_pitch_angle_rad_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+int32_t surefoot_leg_position_left_ankle_roll_angle_rad_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_leg_position_left_ankle_roll_angle_rad_decode(int32_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_left_ankle_roll_angle_rad_is_in_range(int32_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_leg_position_left_ankle_roll_angle_rad_is_in_phys_range(double value);
+
+/**
  * Pack message HEARTBEAT_LEG_RIGHT.
  *
  * @param[out] dst_p Buffer to pack the message into.
@@ -7641,6 +9999,46 @@ bool surefoot_heartbeat_leg_right_counter_is_in_range(uint8_t value);
  * @return true if in range, false otherwise.
  */
 bool surefoot_heartbeat_leg_right_counter_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t surefoot_heartbeat_leg_right_has_inertial_sensors_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_heartbeat_leg_right_has_inertial_sensors_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_heartbeat_leg_right_has_inertial_sensors_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_heartbeat_leg_right_has_inertial_sensors_is_in_phys_range(double value);
 
 /**
  * Encode given signal by applying scaling and offset.
@@ -7886,6 +10284,46 @@ bool surefoot_heartbeat_leg_left_counter_is_in_phys_range(double value);
  *
  * @return Encoded signal.
  */
+uint8_t surefoot_heartbeat_leg_left_has_inertial_sensors_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_heartbeat_leg_left_has_inertial_sensors_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_heartbeat_leg_left_has_inertial_sensors_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_heartbeat_leg_left_has_inertial_sensors_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
 uint16_t surefoot_heartbeat_leg_left_tick_encode(double value);
 
 /**
@@ -8123,6 +10561,46 @@ bool surefoot_heartbeat_foot_right_counter_is_in_phys_range(double value);
  *
  * @return Encoded signal.
  */
+uint8_t surefoot_heartbeat_foot_right_has_inertial_sensors_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_heartbeat_foot_right_has_inertial_sensors_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_heartbeat_foot_right_has_inertial_sensors_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_heartbeat_foot_right_has_inertial_sensors_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
 uint16_t surefoot_heartbeat_foot_right_tick_encode(double value);
 
 /**
@@ -8352,6 +10830,46 @@ bool surefoot_heartbeat_foot_left_counter_is_in_range(uint8_t value);
  * @return true if in range, false otherwise.
  */
 bool surefoot_heartbeat_foot_left_counter_is_in_phys_range(double value);
+
+/**
+ * Encode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to encode.
+ *
+ * @return Encoded signal.
+ */
+uint8_t surefoot_heartbeat_foot_left_has_inertial_sensors_encode(double value);
+
+/**
+ * Decode given signal by applying scaling and offset.
+ *
+ * @param[in] value Signal to decode.
+ *
+ * @return Decoded signal.
+ */
+double surefoot_heartbeat_foot_left_has_inertial_sensors_decode(uint8_t value);
+
+/**
+ * Check that given signal is in allowed range.
+ *
+ * @param[in] value Signal to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_heartbeat_foot_left_has_inertial_sensors_is_in_range(uint8_t value);
+
+/**
+ * Check that given physical value is in allowed range before encoding.
+ *
+ * Use this BEFORE calling _encode() to avoid silent integer overflow:
+ *   encode(-1.0) on a [0,100] signal wraps to 255 and passes is_in_range().
+ *   is_in_phys_range(-1.0) correctly returns false.
+ *
+ * @param[in] value Physical signal value to check.
+ *
+ * @return true if in range, false otherwise.
+ */
+bool surefoot_heartbeat_foot_left_has_inertial_sensors_is_in_phys_range(double value);
 
 /**
  * Encode given signal by applying scaling and offset.

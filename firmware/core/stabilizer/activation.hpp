@@ -33,6 +33,46 @@ inline constexpr std::size_t kControllers = 16;
 /// Name as it appears in scenarios, tables and logs, e.g. "upright_pose".
 [[nodiscard]] const char* name(Controller controller) noexcept;
 
+/// A column of the schedule: stages 1 and 3 are one, 2 and 4 are split where the landing foot begins to carry.
+enum class SchedulePhase : std::uint8_t { kStanding, kShifting, kLift, kLowerSwing, kLowerDouble, kLanding };
+
+inline constexpr std::size_t kSchedulePhases = 6;
+
+/// Name as it appears in tables, e.g. "lower_swing".
+[[nodiscard]] const char* name(SchedulePhase phase) noexcept;
+
+/// Where the walk is on the schedule. In stages 2 and 4 contact decides, not the plan: a foot that landed early
+/// carries, one that the clock waits for does not.
+[[nodiscard]] SchedulePhase schedule_phase(const WalkView& walk) noexcept;
+
+/// One row of the schedule: the phases in which a controller acts.
+struct ActivationRow {
+  Controller controller = Controller::kUprightPose;
+  std::array<bool, kSchedulePhases> acts_in{};  ///< in the order of `SchedulePhase`
+};
+
+/// The schedule, in the order of `Controller` (Kim, Park, Oh 2007, Fig. 21, tables 4 and 5; the last three are ours).
+/// The paper's stage 5, landing and standing, is our standing, shifting and landing.
+inline constexpr std::array<ActivationRow, kControllers> kActivation{{
+    // standing, shifting, lift, lower_swing, lower_double, landing
+    {Controller::kUprightPose, {true, true, true, true, true, true}},
+    {Controller::kLandingMomentum, {false, false, false, false, true, false}},
+    {Controller::kShockAbsorber, {false, false, false, false, true, false}},
+    {Controller::kLandingTiming, {false, false, false, true, true, false}},
+    {Controller::kLandingPosition, {false, false, false, true, true, false}},
+    {Controller::kVibrationReduction, {false, false, true, false, false, false}},
+    {Controller::kDamping, {false, false, true, true, false, false}},
+    {Controller::kZmpCompensator, {false, false, true, true, false, false}},
+    {Controller::kSoftLanding, {false, false, false, false, true, false}},
+    {Controller::kSwayAmplitude, {false, false, false, false, true, false}},
+    {Controller::kTorsoTilt, {false, false, false, false, true, false}},
+    {Controller::kTiltOver, {false, false, true, false, false, false}},
+    {Controller::kTiltLandingPosition, {false, false, false, true, true, false}},
+    {Controller::kAttitudeFeedback, {false, false, true, true, true, false}},
+    {Controller::kFootTilt, {false, false, true, true, true, false}},
+    {Controller::kStepAdjustment, {false, false, true, true, true, false}},
+}};
+
 /// Whether the schedule lets a controller act here (Kim, Park, Oh 2007, Fig. 21). One that may not act lets its output
 /// fade; it is stepped all the same.
 [[nodiscard]] bool is_active(Controller controller, const WalkView& walk) noexcept;

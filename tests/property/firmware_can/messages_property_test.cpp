@@ -88,6 +88,45 @@ RC_GTEST_PROP(Messages, LegCommandsArriveWithinHalfAStep, ()) {
   expect_near(heard.torque_nm, sent.torque_nm, 0.01);
 }
 
+FootInertialSensors any_foot_inertial() {
+  return {.roll_rad = any_in(kSoleTiltRad),
+          .pitch_rad = any_in(kSoleTiltRad),
+          .specific_force_x_foot_m_s2 = any_in(kSpecificForceMS2),
+          .specific_force_y_foot_m_s2 = any_in(kSpecificForceMS2),
+          .freshness = {}};
+}
+
+RC_GTEST_PROP(Messages, LegPositionsArriveWithinHalfAStep, ()) {
+  const LegCommand sent{.mode = LegMode::kPosition, .angle_rad = fill<LegVector>(kJointAngleRad)};
+  const FrameStamp stamp = any_stamp();
+  FrameStamp heard_stamp;
+  LegCommand heard;
+  RC_ASSERT(decode_leg_command(encode_leg_command(any_side(), stamp, sent), heard_stamp, heard) == Rejection::kNone);
+  expect_stamp(heard_stamp, stamp);
+  RC_ASSERT(heard.mode == LegMode::kPosition);
+  RC_ASSERT(heard.torque_nm == LegVector{});
+  expect_near(heard.angle_rad, sent.angle_rad, 1e-6);
+}
+
+RC_GTEST_PROP(Messages, InertialValuesArriveWithinHalfAStep, ()) {
+  const FootInertialSensors sent = any_foot_inertial();
+  const double rate = any_in(kAngularRateRadS);
+  const FrameStamp stamp = any_stamp();
+  FrameStamp heard_stamp;
+  FootInertialSensors heard;
+  LegInertialSensors leg;
+  RC_ASSERT(decode_foot_inertial(encode_foot_inertial(any_side(), stamp, sent), heard_stamp, heard) ==
+            Rejection::kNone);
+  expect_stamp(heard_stamp, stamp);
+  expect_near(std::array{heard.roll_rad, heard.pitch_rad}, std::array{sent.roll_rad, sent.pitch_rad}, 5e-5);
+  expect_near(std::array{heard.specific_force_x_foot_m_s2, heard.specific_force_y_foot_m_s2},
+              std::array{sent.specific_force_x_foot_m_s2, sent.specific_force_y_foot_m_s2}, 5e-3);
+  RC_ASSERT(decode_leg_inertial(encode_leg_inertial(any_side(), stamp, {rate, {}}), heard_stamp, leg) ==
+            Rejection::kNone);
+  expect_stamp(heard_stamp, stamp);
+  RC_ASSERT(std::abs(leg.hip_roll_rate_rad_s - rate) <= kHalf * 5e-4);
+}
+
 RC_GTEST_PROP(Messages, FootForcesArriveWithinHalfAStep, ()) {
   const FootSensors sent{.corner_force_n = fill<std::array<double, 4>>(kCornerForceN), .freshness = {}};
   const FrameStamp stamp = any_stamp();
@@ -131,7 +170,7 @@ struct Kind {
 Kind any_kind() {
   const FrameStamp stamp = any_stamp();
   const Node node = *rc::gen::elementOf(kNodes);
-  switch (*rc::gen::inRange(0, 8)) {
+  switch (*rc::gen::inRange(0, 11)) {
     case 0:
       return {encode_sync(stamp), [](const CanFrame& frame) {
                 FrameStamp heard;
@@ -161,6 +200,26 @@ Kind any_kind() {
       return {encode_lockstep_served(stamp), [](const CanFrame& frame) {
                 FrameStamp heard;
                 return decode_lockstep_served(frame, heard);
+              }};
+    case 8:
+      return {encode_leg_command(any_side(), stamp,
+                                 {.mode = LegMode::kPosition, .angle_rad = fill<LegVector>(kJointAngleRad)}),
+              [](const CanFrame& frame) {
+                FrameStamp heard;
+                LegCommand command;
+                return decode_leg_command(frame, heard, command);
+              }};
+    case 9:
+      return {encode_leg_inertial(any_side(), stamp, {any_in(kAngularRateRadS), {}}), [](const CanFrame& frame) {
+                FrameStamp heard;
+                LegInertialSensors leg;
+                return decode_leg_inertial(frame, heard, leg);
+              }};
+    case 10:
+      return {encode_foot_inertial(any_side(), stamp, any_foot_inertial()), [](const CanFrame& frame) {
+                FrameStamp heard;
+                FootInertialSensors foot;
+                return decode_foot_inertial(frame, heard, foot);
               }};
     case 4:
       return {encode_leg_command(any_side(), stamp, {LegMode::kTorque, fill<LegVector>(kJointTorqueNm)}),

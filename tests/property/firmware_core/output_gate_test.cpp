@@ -64,7 +64,8 @@ RC_GTEST_PROP(OutputGate, IsFiniteWithinItsLimitsAndSilentOnceItDampsWhateverCom
   Finding first;
   const int ticks = *rc::gen::inRange(1, 60);
   for (int tick = 0; tick < ticks; ++tick) {
-    const PerSide<LegCommand> command = step(config, state, any_torques(), any_sensors(), any_orders(), kPeriodS);
+    const PerSide<LegCommand> command =
+        step(config, state, {.torque_nm = any_torques()}, any_sensors(), any_orders(), kPeriodS);
     if (first.fault != Fault::kNone) RC_ASSERT(state.latched.fault == first.fault);
     RC_ASSERT(state.latched.needs >= first.needs);
     first = state.latched;
@@ -88,6 +89,41 @@ RC_GTEST_PROP(OutputGate, IsFiniteWithinItsLimitsAndSilentOnceItDampsWhateverCom
   }
   RC_CLASSIFY(first.needs == SafeState::kDamp, "damps");
   RC_CLASSIFY(first.needs == SafeState::kStanceHold, "holds its stance");
+}
+
+WantedMotion any_motion() {
+  WantedMotion wanted{.mode = *rc::gen::element(LegMode::kPosition, LegMode::kPosition, LegMode::kTorque)};
+  wanted.torque_nm = any_torques();
+  for (LegVector& leg : wanted.angle_rad) {
+    for (double& angle : leg) angle = any_number(4.0);
+  }
+  return wanted;
+}
+
+RC_GTEST_PROP(OutputGate, SendsAnglesInRangeAndWithoutAJumpWhateverComesIn, ()) {
+  const OutputGateConfig config;
+  OutputGateState state;
+  PerSide<LegVector> previous_rad{};
+  PerSide<bool> goes_on{};
+  const int ticks = *rc::gen::inRange(1, 60);
+  for (int tick = 0; tick < ticks; ++tick) {
+    const WantedMotion wanted = any_motion();
+    const SensorSnapshot sensors = any_sensors();
+    const PerSide<LegCommand> command = step(config, state, wanted, sensors, any_orders(), kPeriodS);
+    for (std::size_t leg = 0; leg < 2; ++leg) {
+      RC_ASSERT(command[leg].mode == LegMode::kDamp || command[leg].mode == wanted.mode);
+      const bool has_angles = command[leg].mode == LegMode::kPosition;
+      const LegVector& from_rad = goes_on[leg] ? previous_rad[leg] : sensors.leg[leg].angle_rad;
+      for (std::size_t joint = 0; has_angles && joint < kJointsPerLeg; ++joint) {
+        const double angle = command[leg].angle_rad[joint];
+        RC_ASSERT(angle >= config.angle_min_rad[joint] && angle <= config.angle_max_rad[joint]);
+        RC_ASSERT(std::abs(angle - from_rad[joint]) <= config.reference_rate_limit_rad_s * kPeriodS + 1e-12);
+      }
+      previous_rad[leg] = command[leg].angle_rad;
+      goes_on[leg] = has_angles;
+    }
+  }
+  RC_CLASSIFY(goes_on[0], "ends with angles");
 }
 
 }  // namespace

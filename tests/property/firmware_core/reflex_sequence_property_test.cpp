@@ -181,7 +181,8 @@ TEST(ReflexSequenceProperty, ATriggerHalfACycleLaterGivesTheMirroredFeet) {
       for (const Side side : kSides) {
         const geometry::Vector3 mine = a.feet[index(side)].position_body_m;
         const geometry::Vector3 theirs = b.feet[index(opposite(side))].position_body_m;
-        RC_ASSERT((mine - geometry::Vector3(theirs.x(), -theirs.y(), theirs.z())).norm() < 1.0e-9);
+        // A trigger in the very tick in which a foot lifts finds it on either side of that by rounding: 0.2 um.
+        RC_ASSERT((mine - geometry::Vector3(theirs.x(), -theirs.y(), theirs.z())).norm() < 1.0e-6);
       }
     }
   }));

@@ -26,7 +26,7 @@ can::CanFrame any_intact_frame(FaultRandom random, std::uint32_t i) {
   leg.angle_rad = leg.rate_rad_s = leg.torque_nm = six;
   FootSensors foot;
   foot.corner_force_n = {six[0], six[1], six[2], six[3]};
-  switch (number(0) % 7) {
+  switch (number(0) % 10) {
     case 0:
       return can::encode_sync(stamp);
     case 1:
@@ -39,6 +39,12 @@ can::CanFrame any_intact_frame(FaultRandom random, std::uint32_t i) {
       return can::encode_imu(stamp, {});
     case 5:
       return can::encode_heartbeat(can::kNodes[number(4) % can::kNodes.size()], stamp, {});
+    case 6:
+      return can::encode_leg_command(side, stamp, {.mode = LegMode::kPosition, .angle_rad = six});
+    case 7:
+      return can::encode_leg_inertial(side, stamp, {.hip_roll_rate_rad_s = six[0], .freshness = {}});
+    case 8:
+      return can::encode_foot_inertial(side, stamp, {.roll_rad = six[0], .pitch_rad = six[1], .freshness = {}});
     default:
       return can::encode_emergency(can::kNodes[number(4) % can::kNodes.size()], stamp, {.code = 0x8130});
   }
@@ -76,7 +82,7 @@ RC_GTEST_PROP(SwappedFrames, ComeBackWhenSwappedTwice, (std::uint32_t i, bool is
   RC_ASSERT(is_acceptable(swapped(intact, true)));
 }
 
-FaultConfig any_fault() {
+FaultConfig any_fault(bool has_inertial_legs) {
   FaultConfig fault;
   fault.kind = static_cast<FaultKind>(*rc::gen::inRange<std::size_t>(0, kFaultKinds));
   fault.target = static_cast<FaultTarget>(*rc::gen::inRange(0, 7));
@@ -85,7 +91,7 @@ FaultConfig any_fault() {
   fault.value = *rc::gen::element(0.0, 1.0, 3.0, 8.0);
   if (is_frame_fault(fault.kind)) fault.probability = *rc::gen::element(0.1, 0.5, 1.0);
   if (is_sensor_fault(fault.kind)) {
-    fault.signal = static_cast<FaultSignal>(*rc::gen::inRange(0, 7));
+    fault.signal = static_cast<FaultSignal>(*rc::gen::inRange(0, has_inertial_legs ? 10 : 7));
     fault.element = static_cast<FaultElement>(*rc::gen::inRange(0, 14));
   }
   return fault;
@@ -95,9 +101,10 @@ SimConfig any_faulty_robot() {
   SimConfig config;
   config.seed = *rc::gen::arbitrary<std::uint32_t>();
   config.time_zero_s = 0.01;
+  config.sensor.has_inertial_legs = *rc::gen::arbitrary<bool>();
   const std::size_t count = *rc::gen::inRange<std::size_t>(0, kMaxFaults + 1);
   while (config.faults.size() < count) {
-    const FaultConfig fault = any_fault();
+    const FaultConfig fault = any_fault(config.sensor.has_inertial_legs);
     if (!find_problem(fault)) config.faults.push_back(fault);
   }
   return config;
@@ -145,10 +152,10 @@ RC_GTEST_PROP(FaultyRobotProperty, SurvivesAnyFaultsRepeatsItselfAndKeepsItsTorq
 // Streams are told apart by what a fault is, not by where it stands.
 RC_GTEST_PROP(FaultStreams, StayTheSameWhateverStandsAroundThem, ()) {
   std::vector<FaultConfig> faults;
-  for (int i = 0; i < 6; ++i) faults.push_back(any_fault());
+  for (int i = 0; i < 6; ++i) faults.push_back(any_fault(true));
   const std::size_t place = *rc::gen::inRange<std::size_t>(0, faults.size());
   const std::uint64_t stream = fault_stream(faults, place);
-  FaultConfig other = any_fault();
+  FaultConfig other = any_fault(true);
   other.at_s = 1000.0;
   std::vector<FaultConfig> more = faults;
   more.insert(more.begin(), other);

@@ -12,7 +12,7 @@ namespace {
 
 can::CanFrame any_frame() {
   can::CanFrame frame;
-  frame.identifier = *rc::gen::oneOf(rc::gen::element<std::uint16_t>(0x080, 0x201, 0x202, 0x77F),
+  frame.identifier = *rc::gen::oneOf(rc::gen::element<std::uint16_t>(0x080, 0x201, 0x202, 0x301, 0x302, 0x77F),
                                      rc::gen::inRange<std::uint16_t>(0, 0x800));
   frame.length = *rc::gen::element<std::uint8_t>(0, 1, 8, 16, 24, 48, 64);
   for (std::size_t i = 0; i < frame.length; ++i) frame.payload[i] = *rc::gen::arbitrary<std::uint8_t>();
@@ -25,11 +25,11 @@ RC_GTEST_PROP(LegBoardProperty, KeepsItsTorqueUnderAnyFrameItRefuses, ()) {
   LegBoard board(Side::kRight, config);
   FrameOutbox outbox;
   const LegCommand command{LegMode::kTorque, {1.0, 2.0, 3.0, 4.0, 5.0, 6.0}};
-  board.on_sync(1, {}, {}, outbox);
+  board.on_sync(1, {}, {}, {}, outbox);
   RC_ASSERT(board.on_command(can::encode_leg_command(Side::kRight, {.tick = 1, .counter = 0}, command), outbox) ==
             can::Rejection::kNone);
-  (void)board.begin_step({}, outbox);
-  board.on_sync(2, {}, {}, outbox);
+  (void)board.begin_step({}, {}, outbox);
+  board.on_sync(2, {}, {}, {}, outbox);
 
   // A good frame with any of its bytes changed, a wrong tick, or rubbish.
   can::CanFrame frame = can::encode_leg_command(Side::kRight, {.tick = 2, .counter = 1}, {});
@@ -49,7 +49,7 @@ RC_GTEST_PROP(LegBoardProperty, KeepsItsTorqueUnderAnyFrameItRefuses, ()) {
       frame = any_frame();
   }
   if (board.on_command(frame, outbox) != can::Rejection::kNone) {
-    RC_ASSERT(board.begin_step({}, outbox) == command.torque_nm);
+    RC_ASSERT(board.begin_step({}, {}, outbox) == command.torque_nm);
   }
 }
 

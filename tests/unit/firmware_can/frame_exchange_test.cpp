@@ -244,6 +244,27 @@ TEST_F(FrameExchangeTest, SendsTheTorquesOfThisTickToBothLegs) {
   EXPECT_NEAR(heard.torque_nm[5], 6.0, 1e-9);
 }
 
+TEST_F(FrameExchangeTest, SendsAnglesToALegThatShallHoldThemAndTorquesOtherwise) {
+  exchange.begin_tick(bus, 5);
+  bus.sent.clear();
+  PerSide<LegCommand> command{};
+  command[index(Side::kRight)] = {.mode = LegMode::kPosition, .angle_rad = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6}};
+  exchange.send_commands(bus, command);
+  exchange.send_commands(bus, {});  // a damped leg is told so by a frame of torques
+  exchange.send_commands(bus, command);
+  constexpr std::array kExpected{0x301, 0x202, 0x201, 0x202, 0x301, 0x202};
+  constexpr std::array kCounters{0, 0, 0, 1, 1, 2};  // each identifier counts on its own
+  ASSERT_EQ(bus.sent.size(), kExpected.size());
+  for (std::size_t i = 0; i < kExpected.size(); ++i) {
+    FrameStamp stamp;
+    LegCommand heard;
+    EXPECT_EQ(bus.sent[i].identifier, kExpected[i]);
+    ASSERT_EQ(decode_leg_command(bus.sent[i], stamp, heard), Rejection::kNone);
+    EXPECT_EQ(stamp.counter, kCounters[i]);
+    EXPECT_EQ(heard.mode, kExpected[i] == 0x301 ? LegMode::kPosition : LegMode::kDamp);
+  }
+}
+
 TEST_F(FrameExchangeTest, CountsItsCommandsUpForEachLeg) {
   for (int tick = 0; tick < 3; ++tick) exchange.send_commands(bus, {});
   ASSERT_EQ(bus.sent.size(), 6U);

@@ -48,6 +48,18 @@ inline constexpr std::string_view kImu = "185##141B201000200008301008813FFFF007D
 inline constexpr std::string_view kLegCommandRight = "201##169C503013412D08A0100FFFFA93348DD30750000";
 inline constexpr std::string_view kLegCommandLeft = "202##17F8703003412E803FEF7050DE1B1000007000000";
 
+/// Counter 5, tick 513; the angles of the leg states.
+inline constexpr std::string_view kLegPositionRight = "301##1416105000102002CCFC01DFE0100009EFA0FB102F800D430";
+inline constexpr std::string_view kLegPositionLeft = "302##1E5E305000102000000A08601C0F2FCA02526FFFFFF7929ED";
+
+/// Counter 8, tick 40000.
+inline constexpr std::string_view kLegInertialRight = "281##1B82F0800409CA20D";
+inline constexpr std::string_view kLegInertialLeft = "282##197EC0800409C0083";
+
+/// Counter 200, tick 7.
+inline constexpr std::string_view kFootInertialRight = "283##1F0AAC800070088EB007D540F00830000";
+inline constexpr std::string_view kFootInertialLeft = "284##13373C8000700010006FFFFFFAA070000";
+
 /// By node, in the order of kNodes. Counter 9, tick 100, operational, protocol version 1.
 inline constexpr std::array<std::string_view, 6> kHeartbeats{"701##105010900640060B2", "702##1050109006400157A",
                                                              "703##1050109006400C63D", "704##1050109006400DEFA",
@@ -68,5 +80,9 @@ inline constexpr PerSide<std::array<double, 4>> kCornerForceN{
     {{-500.0, 0.1, -0.1, 3200.0}, {196.2, 201.7, 0.0, 188.8}}};
 inline constexpr std::array<double, 3> kAngularRateRadS{-16.0, 0.0005, 2.5};
 inline constexpr std::array<double, 3> kSpecificForceMS2{-0.005, 160.0, 9.81};
+
+inline constexpr PerSide<double> kHipRollRateRadS{1.745, -16.0};
+inline constexpr PerSide<std::array<double, 4>> kFootInertial{{{-0.262, 1.6, 19.62, -160.0},  // roll, pitch, x, y
+                                                               {5e-05, -0.0125, -0.005, 9.81}}};
 
 }  // namespace surefoot::can::golden

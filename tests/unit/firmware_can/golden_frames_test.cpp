@@ -18,6 +18,9 @@ constexpr double kRounding = 1e-12;
 constexpr PerSide<std::string_view> kLegStates{golden::kLegStateRight, golden::kLegStateLeft};
 constexpr PerSide<std::string_view> kFootForces{golden::kFootForceRight, golden::kFootForceLeft};
 constexpr PerSide<std::string_view> kLegCommands{golden::kLegCommandRight, golden::kLegCommandLeft};
+constexpr PerSide<std::string_view> kLegPositions{golden::kLegPositionRight, golden::kLegPositionLeft};
+constexpr PerSide<std::string_view> kLegInertials{golden::kLegInertialRight, golden::kLegInertialLeft};
+constexpr PerSide<std::string_view> kFootInertials{golden::kFootInertialRight, golden::kFootInertialLeft};
 constexpr PerSide<LegStatus> kStatus{LegStatus{.watchdog_expired = true, .torque_limited = false, .is_damping = true},
                                      LegStatus{.watchdog_expired = false, .torque_limited = true, .is_damping = false}};
 
@@ -119,6 +122,73 @@ TEST(GoldenFrames, LegCommandsAreWrittenAndReadAsByCantools) {
     EXPECT_EQ(heard.mode, sent.mode);
     EXPECT_THAT(heard.torque_nm, Pointwise(IsNearTheOther(), golden::kTorqueNm[i]));
   }
+}
+
+TEST(GoldenFrames, LegPositionsAreWrittenAndReadAsByCantools) {
+  for (const Side side : kSides) {
+    const std::size_t i = index(side);
+    const LegCommand sent{.mode = LegMode::kPosition, .angle_rad = golden::kAngleRad[i]};
+    expect_same(encode_leg_command(side, {.tick = 513, .counter = 5}, sent), kLegPositions[i]);
+
+    FrameStamp stamp;
+    LegCommand heard{.mode = LegMode::kTorque, .torque_nm = golden::kTorqueNm[i]};
+    ASSERT_EQ(decode_leg_command(golden::frame(kLegPositions[i]), stamp, heard), Rejection::kNone);
+    EXPECT_EQ(stamp.tick, 513U);
+    EXPECT_EQ(stamp.counter, 5);
+    EXPECT_EQ(heard.mode, LegMode::kPosition);
+    EXPECT_EQ(heard.torque_nm, LegVector{});
+    EXPECT_THAT(heard.angle_rad, Pointwise(IsNearTheOther(), golden::kAngleRad[i]));
+  }
+}
+
+TEST(GoldenFrames, LegInertialsAreWrittenAndReadAsByCantools) {
+  for (const Side side : kSides) {
+    const std::size_t i = index(side);
+    const LegInertialSensors sent{.hip_roll_rate_rad_s = golden::kHipRollRateRadS[i], .freshness = {}};
+    expect_same(encode_leg_inertial(side, {.tick = 40000, .counter = 8}, sent), kLegInertials[i]);
+
+    FrameStamp stamp;
+    LegInertialSensors heard;
+    ASSERT_EQ(decode_leg_inertial(golden::frame(kLegInertials[i]), stamp, heard), Rejection::kNone);
+    EXPECT_EQ(stamp.tick, 40000U);
+    EXPECT_EQ(stamp.counter, 8);
+    EXPECT_NEAR(heard.hip_roll_rate_rad_s, golden::kHipRollRateRadS[i], kRounding);
+  }
+}
+
+TEST(GoldenFrames, FootInertialsAreWrittenAndReadAsByCantools) {
+  for (const Side side : kSides) {
+    const std::size_t i = index(side);
+    const std::array<double, 4>& values = golden::kFootInertial[i];
+    const FootInertialSensors sent{.roll_rad = values[0],
+                                   .pitch_rad = values[1],
+                                   .specific_force_x_foot_m_s2 = values[2],
+                                   .specific_force_y_foot_m_s2 = values[3],
+                                   .freshness = {}};
+    expect_same(encode_foot_inertial(side, {.tick = 7, .counter = 200}, sent), kFootInertials[i]);
+
+    FrameStamp stamp;
+    FootInertialSensors heard;
+    ASSERT_EQ(decode_foot_inertial(golden::frame(kFootInertials[i]), stamp, heard), Rejection::kNone);
+    EXPECT_EQ(stamp.tick, 7U);
+    EXPECT_EQ(stamp.counter, 200);
+    EXPECT_NEAR(heard.roll_rad, values[0], kRounding);
+    EXPECT_NEAR(heard.pitch_rad, values[1], kRounding);
+    EXPECT_NEAR(heard.specific_force_x_foot_m_s2, values[2], kRounding);
+    EXPECT_NEAR(heard.specific_force_y_foot_m_s2, values[3], kRounding);
+  }
+}
+
+TEST(GoldenFrames, HeartbeatsTellOfInertialSensorsInABitThatWasReserved) {
+  const Heartbeat plain{.state = NodeState::kOperational};
+  const Heartbeat richer{.state = NodeState::kOperational, .has_inertial_sensors = true};
+  EXPECT_EQ(encode_heartbeat(Node::kFootLeft, {}, plain).payload[3], 0);
+  const CanFrame frame = encode_heartbeat(Node::kFootLeft, {}, richer);
+  EXPECT_EQ(frame.payload[3], 1);
+  FrameStamp stamp;
+  Heartbeat heard;
+  ASSERT_EQ(decode_heartbeat(frame, stamp, heard), Rejection::kNone);
+  EXPECT_TRUE(heard.has_inertial_sensors);
 }
 
 TEST(GoldenFrames, HeartbeatsOfAllNodesAreWrittenAndReadAsByCantools) {

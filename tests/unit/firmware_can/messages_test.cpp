@@ -68,6 +68,35 @@ std::vector<double> pass_wanted_torque(double value) {
   EXPECT_EQ(decode_leg_command(encode_leg_command(Side::kRight, {}, sent), stamp, heard), Rejection::kNone);
   return listed(heard.torque_nm);
 }
+std::vector<double> pass_wanted_angle(double value) {
+  LegCommand sent{.mode = LegMode::kPosition};
+  sent.angle_rad.fill(value);
+  FrameStamp stamp;
+  LegCommand heard;
+  EXPECT_EQ(decode_leg_command(encode_leg_command(Side::kRight, {}, sent), stamp, heard), Rejection::kNone);
+  return listed(heard.angle_rad);
+}
+std::vector<double> pass_hip_roll_rate(double value) {
+  FrameStamp stamp;
+  LegInertialSensors heard;
+  EXPECT_EQ(decode_leg_inertial(encode_leg_inertial(Side::kRight, {}, {value, {}}), stamp, heard), Rejection::kNone);
+  return {heard.hip_roll_rate_rad_s};
+}
+FootInertialSensors pass_foot_inertial(const FootInertialSensors& sent) {
+  FrameStamp stamp;
+  FootInertialSensors heard;
+  EXPECT_EQ(decode_foot_inertial(encode_foot_inertial(Side::kRight, {}, sent), stamp, heard), Rejection::kNone);
+  return heard;
+}
+std::vector<double> pass_sole_tilt(double value) {
+  const FootInertialSensors heard = pass_foot_inertial({.roll_rad = value, .pitch_rad = value, .freshness = {}});
+  return {heard.roll_rad, heard.pitch_rad};
+}
+std::vector<double> pass_sole_force(double value) {
+  const FootInertialSensors heard =
+      pass_foot_inertial({.specific_force_x_foot_m_s2 = value, .specific_force_y_foot_m_s2 = value, .freshness = {}});
+  return {heard.specific_force_x_foot_m_s2, heard.specific_force_y_foot_m_s2};
+}
 std::vector<double> pass_corner_force(double value) {
   FootSensors sent;
   sent.corner_force_n.fill(value);
@@ -91,6 +120,10 @@ const std::array kChannels{Channel{"angle", pass_angle, kJointAngleRad, 1e-6},
                            Channel{"rate", pass_rate, kJointRateRadS, 1e-3},
                            Channel{"applied torque", pass_applied_torque, kJointTorqueNm, 0.01},
                            Channel{"wanted torque", pass_wanted_torque, kJointTorqueNm, 0.01},
+                           Channel{"wanted angle", pass_wanted_angle, kJointAngleRad, 1e-6},
+                           Channel{"hip roll rate", pass_hip_roll_rate, kAngularRateRadS, 5e-4},
+                           Channel{"sole tilt", pass_sole_tilt, kSoleTiltRad, 5e-5},
+                           Channel{"sole force", pass_sole_force, kSpecificForceMS2, 5e-3},
                            Channel{"corner force", pass_corner_force, kCornerForceN, 0.1},
                            Channel{"angular rate", pass_angular_rate, kAngularRateRadS, 5e-4},
                            Channel{"specific force", pass_specific_force, kSpecificForceMS2, 5e-3}};
@@ -147,7 +180,13 @@ Rejection decode_any(const CanFrame& frame) {
   FootSensors foot;
   ImuSensors imu;
   LegCommand command;
+  LegInertialSensors leg_inertial;
+  FootInertialSensors foot_inertial;
   switch (frame.identifier) {
+    case 0x281:
+      return decode_leg_inertial(frame, stamp, leg_inertial);
+    case 0x283:
+      return decode_foot_inertial(frame, stamp, foot_inertial);
     case 0x181:
       return decode_leg_state(frame, stamp, leg, status);
     case 0x183:
@@ -178,6 +217,9 @@ TEST(Decoders, RefuseTheFirstRawValueBeyondEachEndOfEachSignal) {
   expect_bounds(leg, 24, 2, 6, -30'000, 30'000);
   expect_bounds(leg, 36, 2, 6, -30'000, 30'000);
   expect_bounds(encode_leg_command(Side::kRight, {}, {}), 6, 2, 6, -30'000, 30'000);
+  expect_bounds(encode_leg_command(Side::kRight, {}, {.mode = LegMode::kPosition}), 6, 3, 6, -3'200'000, 3'200'000);
+  expect_bounds(encode_leg_inertial(Side::kRight, {}, {}), 6, 2, 1, -32'000, 32'000);
+  expect_bounds(encode_foot_inertial(Side::kRight, {}, {}), 6, 2, 4, -32'000, 32'000);
   expect_bounds(encode_foot_force(Side::kRight, {}, {}), 6, 2, 4, -5'000, 32'000);
   expect_bounds(encode_imu({}, {}), 6, 2, 6, -32'000, 32'000);
 }

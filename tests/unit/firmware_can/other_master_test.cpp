@@ -16,6 +16,8 @@ TEST(OtherMaster, IsWhoeverSendsTheControllersFramesOfThisTickOrOfOneToCome) {
       EXPECT_TRUE(is_of_another_master(controller_heartbeat(tick + ahead), tick));
       for (const Side side : kSides) {
         EXPECT_TRUE(is_of_another_master(encode_leg_command(side, {.tick = tick + ahead}, {}), tick));
+        EXPECT_TRUE(
+            is_of_another_master(encode_leg_command(side, {.tick = tick + ahead}, {.mode = LegMode::kPosition}), tick));
       }
     }
     EXPECT_TRUE(is_of_another_master(encode_sync({.tick = tick + 100'000}), tick)) << "it runs for longer than we do";

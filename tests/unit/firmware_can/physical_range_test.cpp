@@ -38,6 +38,10 @@ TEST(PhysicalRange, IsTheOneInTheDbc) {
   expect_the_dbcs(kCornerForceN, surefoot_foot_force_left_rear_left_force_n_is_in_phys_range);
   expect_the_dbcs(kAngularRateRadS, surefoot_imu_angular_rate_y_body_rad_s_is_in_phys_range);
   expect_the_dbcs(kSpecificForceMS2, surefoot_imu_specific_force_y_body_m_s2_is_in_phys_range);
+  expect_the_dbcs(kJointAngleRad, surefoot_leg_position_left_knee_pitch_angle_rad_is_in_phys_range);
+  expect_the_dbcs(kAngularRateRadS, surefoot_leg_inertial_left_hip_roll_rate_rad_s_is_in_phys_range);
+  expect_the_dbcs(kSoleTiltRad, surefoot_foot_inertial_left_sole_pitch_rad_is_in_phys_range);
+  expect_the_dbcs(kSpecificForceMS2, surefoot_foot_inertial_left_specific_force_y_foot_m_s2_is_in_phys_range);
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ struct Gate {
   OutputGateState state{};
   GateOrders orders{};
   PerSide<LegCommand> tick(const SensorSnapshot& sensors, const PerSide<LegVector>& wanted) {
-    return step(config, state, wanted, sensors, orders, kPeriodS);
+    return step(config, state, {.torque_nm = wanted}, sensors, orders, kPeriodS);
   }
 };
 

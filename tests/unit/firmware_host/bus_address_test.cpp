@@ -90,15 +90,17 @@ INSTANTIATE_TEST_SUITE_P(All, BadBusAddress,
 // Node by node from surefoot.dbc, not from the formulas of identifiers.hpp.
 TEST(HeardIdentifiers, ControllerHearsTheNodesAndWhatASecondControllerWouldSend) {
   EXPECT_THAT(heard_identifiers(BusRole::kController),
-              ::testing::UnorderedElementsAre(0x181, 0x182, 0x183, 0x184, 0x185,  // states
-                                              0x081, 0x082, 0x083, 0x084, 0x085,  // emergencies
-                                              0x701, 0x702, 0x703, 0x704, 0x705,  // heartbeats
-                                              0x080, 0x201, 0x202, 0x77F,         // a second controller's
-                                              0x7F0));                            // lockstep
+              ::testing::UnorderedElementsAre(0x181, 0x182, 0x183, 0x184, 0x185,         // states
+                                              0x281, 0x282, 0x283, 0x284,                // inertial sensors
+                                              0x081, 0x082, 0x083, 0x084, 0x085,         // emergencies
+                                              0x701, 0x702, 0x703, 0x704, 0x705,         // heartbeats
+                                              0x080, 0x201, 0x202, 0x301, 0x302, 0x77F,  // a second controller's
+                                              0x7F0));                                   // lockstep
 }
 
 TEST(HeardIdentifiers, RobotHearsTheControllerAlone) {
-  EXPECT_THAT(heard_identifiers(BusRole::kRobot), ::testing::UnorderedElementsAre(0x080, 0x201, 0x202, 0x77F));
+  EXPECT_THAT(heard_identifiers(BusRole::kRobot),
+              ::testing::UnorderedElementsAre(0x080, 0x201, 0x202, 0x301, 0x302, 0x77F));
 }
 
 TEST(HeardIdentifiers, EverythingHasNoFilter) { EXPECT_TRUE(heard_identifiers(BusRole::kEverything).empty()); }

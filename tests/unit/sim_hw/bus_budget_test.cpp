@@ -47,6 +47,25 @@ TEST(BusBudget, WorstCaseResponsesFollowTheTick) {
   EXPECT_EQ(stream(bus, 0x0FF).worst_response_ns, 135'600 + 7 * 54'600);  // behind SYNC and five emergencies
 }
 
+// 8 bytes 54.6, 24 bytes (38 + 240 data bits) 87.6. As before 546.6, and hips 2 x 54.6 + feet 2 x 70.6 = 250.4; angles
+// 2 x 87.6 = 175.2; computing 20; heartbeat 54.6: 1046.8. On two buses 465.6 + 20 + 87.6 + 54.6 = 627.8.
+TEST(BusBudget, InertialLegsAndAnglesNeedASlowerTickOrTwoBuses) {
+  constexpr TrafficOptions kRobot{.has_inertial_legs = true, .commands_angles = true};
+  const BusBudget one = bus_budget({}, 1e-3, kRobot);
+  EXPECT_EQ(one.chain.sync_and_states_ns, 797'000);
+  EXPECT_EQ(one.chain.commands_ns, 175'200) << "angles, and not torques too";
+  EXPECT_EQ(one.chain.total_ns(), 1'046'800);
+  EXPECT_FALSE(one.carries());
+  const auto refusal = refuse_overload({}, 1e-3, kRobot);
+  ASSERT_TRUE(refusal);
+  EXPECT_NE(refusal->remedy.find("bus.count = 2 (the tick then needs 627.8 us)"), std::string::npos) << refusal->remedy;
+  EXPECT_NE(refusal->remedy.find("control_period_s = 0.00105 or more"), std::string::npos) << refusal->remedy;
+  EXPECT_EQ(bus_budget({.count = 2}, 1e-3, kRobot).chain.total_ns(), 627'800);
+  EXPECT_TRUE(bus_budget({}, 2e-3, kRobot).carries());
+  EXPECT_FALSE(stream(one.buses.at(0), 0x201).worst_response_ns) << "seldom: no part of a healthy tick";
+  EXPECT_EQ(stream(one.buses.at(0), 0x201).period_ns, 0);
+}
+
 TEST(BusBudget, NodesTakePartOfTheTick) {
   const BusBudget budget = bus_budget({.node_latency_s = 100e-6, .node_jitter_s = 50e-6}, 1e-3);
   EXPECT_EQ(budget.chain.node_ns, 150'000);

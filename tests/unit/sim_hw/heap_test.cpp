@@ -64,6 +64,14 @@ TEST(Heap, IsLeftAloneByPushesAndByLoadsThatComeAndGo) {
   EXPECT_EQ(allocations_of(config), 0);
 }
 
+TEST(Heap, IsLeftAloneByARoughFloorAndFlexibleHips) {
+  SimConfig config;
+  config.payloads.push_back({.mass_kg = 5.0, .at_s = 0.02});
+  config.terrain = {.tile_height_m = 0.004, .plates_per_m2 = 5.0, .patches = {PatchConfig{}}};
+  config.drive.hip_roll_stiffness_nm_per_rad = 3000.0;
+  EXPECT_EQ(allocations_of(config), 0);
+}
+
 TEST(Heap, IsLeftAloneByEveryKindOfFault) {
   for (std::size_t kind = 0; kind < kFaultKinds; ++kind) {
     SimConfig config;

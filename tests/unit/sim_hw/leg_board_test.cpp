@@ -21,13 +21,13 @@ class LegBoardTest : public ::testing::Test {
     return *board_;
   }
 
-  void sync() { board().on_sync(++tick, {}, {}, outbox); }
+  void sync() { board().on_sync(++tick, {}, {}, {}, outbox); }
 
   can::CanFrame frame(const LegVector& torque_nm, LegMode mode = LegMode::kTorque) {
     return can::encode_leg_command(Side::kLeft, {.tick = tick, .counter = counter++}, {mode, torque_nm});
   }
 
-  LegVector step() { return board().begin_step(kRates, outbox); }
+  LegVector step() { return board().begin_step({}, kRates, outbox); }
 
   /// Frames sent since the last call.
   std::vector<can::CanFrame> sent() {
@@ -269,7 +269,7 @@ TEST_F(LegBoardTest, BeginsAnewWhenItsPowerComesBack) {
 
 TEST_F(LegBoardTest, QuantisesItsEncodersToTheirResolution) {
   config.sensor.encoder_resolution_rad = 1.0e-3;
-  board().on_sync(1, {0.0104, 0.0106, -0.0104, -0.0106, 0.0, 1.0}, {}, outbox);
+  board().on_sync(1, {0.0104, 0.0106, -0.0104, -0.0106, 0.0, 1.0}, {}, {}, outbox);
   LegSensors sensors;
   can::LegStatus status;
   can::FrameStamp stamp;

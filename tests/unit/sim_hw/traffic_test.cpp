@@ -18,6 +18,9 @@ std::vector<can::CanFrame> one_of_each() {
     frames.push_back(can::encode_leg_state(side, {}, {}, {}));
     frames.push_back(can::encode_foot_force(side, {}, {}));
     frames.push_back(can::encode_leg_command(side, {}, {}));
+    frames.push_back(can::encode_leg_command(side, {}, {.mode = LegMode::kPosition}));
+    frames.push_back(can::encode_leg_inertial(side, {}, {}));
+    frames.push_back(can::encode_foot_inertial(side, {}, {}));
   }
   for (const can::Node node : can::kNodes) {
     frames.push_back(can::encode_heartbeat(node, {}, {}));
@@ -39,6 +42,24 @@ TEST(RobotTraffic, IsWhatTheCodecSends) {
 
 TEST(RobotTraffic, RisesWithTheIdentifier) {
   EXPECT_TRUE(std::ranges::is_sorted(robot_traffic(), std::less{}, &TrafficStream::identifier));
+}
+
+std::vector<std::uint16_t> of_each_tick(TrafficOptions options) {
+  std::vector<std::uint16_t> identifiers;
+  for (const TrafficStream& stream : streams_of(options)) {
+    if (stream.period_ticks == 1) identifiers.push_back(stream.identifier);
+  }
+  return identifiers;
+}
+
+TEST(RobotTraffic, IsThatOfTheRobotAtHand) {
+  using Identifiers = std::vector<std::uint16_t>;
+  EXPECT_EQ(of_each_tick({}), (Identifiers{0x080, 0x181, 0x182, 0x183, 0x184, 0x185, 0x201, 0x202}));
+  EXPECT_EQ(of_each_tick({.has_inertial_legs = true, .commands_angles = true}),
+            (Identifiers{0x080, 0x181, 0x182, 0x183, 0x184, 0x185, 0x281, 0x282, 0x283, 0x284, 0x301, 0x302}));
+  EXPECT_EQ(streams_of({}).size(), robot_traffic().size() - 6) << "without what it never sends";
+  EXPECT_EQ(streams_of({.has_inertial_legs = true, .commands_angles = true}).size(), robot_traffic().size())
+      << "with the torque frames, which damp";
 }
 
 TEST(RobotTraffic, KnowsNoStrangers) {

@@ -75,5 +75,76 @@ TEST_F(TruthRecorderTest, FeelsNoWeightInFreeFall) {
   EXPECT_LT(recorder.torso().specific_force_body_m_s2.norm(), 1e-9);
 }
 
+class LegInertialTruthTest : public ::testing::Test {
+ protected:
+  /// The robot as one rigid body, its joints at zero, for a period of 10 ms.
+  void place(const Matrix3& rotation, const Vector3& velocity, const Vector3& spin) {
+    world.robot().place_body({0.0, 0.0, 1.0}, rotation, velocity, spin);
+    recorder.close_period(world, {}, 0.0, 1, 0.01);
+  }
+  const LegInertialMotion& leg(Side side) { return recorder.leg_inertial()[index(side)]; }
+
+  World world{SimConfig{}, {}};
+  TruthRecorder recorder{world, 0.0, true};
+};
+
+TEST_F(LegInertialTruthTest, FeelsAFlatSoleAtRestBeforeTheFirstPeriod) {
+  for (const Side side : kSides) {
+    EXPECT_EQ(leg(side).hip_roll_rate_rad_s, 0.0);
+    EXPECT_EQ(leg(side).sole_roll_rad, 0.0);
+    EXPECT_EQ(leg(side).sole_pitch_rad, 0.0);
+    EXPECT_LT((leg(side).specific_force_foot_m_s2 - Vector3(0.0, 0.0, kGravityM_S2)).norm(), 1e-12);
+  }
+}
+
+TEST_F(LegInertialTruthTest, ReadsTheSolesTiltAsThatOfATorsoWhateverItsYaw) {
+  place(rotation_zyx(0.1, -0.2, 2.0), Vector3::Zero(), Vector3::Zero());
+  for (const Side side : kSides) {
+    EXPECT_NEAR(leg(side).sole_roll_rad, 0.1, 1e-14);
+    EXPECT_NEAR(leg(side).sole_pitch_rad, -0.2, 1e-14);
+  }
+}
+
+// Of links in a chain the rates add up, each about its own axis: yaw about z, roll about x, the trunk's on top.
+TEST_F(LegInertialTruthTest, ReadsTheRateOfTheLinkBehindTheHipRollJointInItsOwnAxes) {
+  PerSide<LegVector> angle{};
+  PerSide<LegVector> rate{};
+  angle[index(Side::kLeft)] = {0.3, -0.4, 0.5, 0.6, 0.0, 0.0};
+  rate[index(Side::kLeft)] = {2.0, 0.7, 5.0, 5.0, 5.0, 5.0};
+  world.robot().set_joints(angle, rate);
+  const Matrix3 trunk = rotation_zyx(0.1, 0.2, 0.3);
+  const Vector3 spin(0.5, -0.6, 0.8);
+  place(trunk, Vector3::Zero(), spin);
+  const Matrix3 yawed = trunk * rotation_zyx(0.0, 0.0, 0.3);
+  const Matrix3 link = yawed * rotation_zyx(-0.4, 0.0, 0.0);
+  const Vector3 total = spin + trunk * Vector3(0.0, 0.0, 2.0) + yawed * Vector3(0.7, 0.0, 0.0);
+  EXPECT_NEAR(leg(Side::kLeft).hip_roll_rate_rad_s, (link.transpose() * total).x(), 1e-12);
+  EXPECT_NEAR(leg(Side::kRight).hip_roll_rate_rad_s, (trunk.transpose() * spin).x(), 1e-12) << "its joints stand still";
+}
+
+TEST_F(LegInertialTruthTest, FeelsGravityAndTheMeanAccelerationOfTheSolesOwnPointInItsOwnAxes) {
+  const Matrix3 leaning = rotation_zyx(0.2, 0.3, 0.0);
+  place(leaning, Vector3::Zero(), Vector3::Zero());
+  const PerSide<LegInertialMotion> at_rest = recorder.leg_inertial();
+  EXPECT_NEAR(at_rest[0].specific_force_foot_m_s2.x(), -kGravityM_S2 * std::sin(0.3), 1e-12);
+  EXPECT_NEAR(at_rest[0].specific_force_foot_m_s2.y(), kGravityM_S2 * std::sin(0.2) * std::cos(0.3), 1e-12);
+  const Vector3 spin(0.0, 0.0, 0.4);
+  const Vector3 velocity(0.05, -0.02, 0.0);
+  place(leaning, velocity, spin);
+  for (const Side side : kSides) {
+    const Vector3 lever = from_bullet(world.robot().foot_motion(side).position_m) - Vector3(0.0, 0.0, 1.0);
+    const Vector3 acceleration = (velocity + spin.cross(lever)) / 0.01;
+    const Vector3 change = leg(side).specific_force_foot_m_s2 - at_rest[index(side)].specific_force_foot_m_s2;
+    EXPECT_LT((change - leaning.transpose() * acceleration).norm(), 1e-9);
+  }
+}
+
+TEST_F(LegInertialTruthTest, IsLeftAloneWhereNobodyWantsIt) {
+  TruthRecorder plain(world, 0.0);
+  world.robot().place_body({0.0, 0.0, 1.0}, rotation_zyx(0.1, 0.0, 0.0), Vector3::Zero(), Vector3::Zero());
+  plain.close_period(world, {}, 0.0, 1, 0.01);
+  EXPECT_EQ(plain.leg_inertial()[0].sole_roll_rad, 0.0);
+}
+
 }  // namespace
 }  // namespace surefoot::sim_hw

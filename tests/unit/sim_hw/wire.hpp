@@ -64,6 +64,14 @@ class Puppeteer {
     read_answers();
   }
 
+  void aim(const PerSide<LegVector>& angle_rad) {
+    for (const Side side : kSides) {
+      wire.to_robot.push_back(command_frame(side, {.mode = LegMode::kPosition, .angle_rad = angle_rad[index(side)]}));
+    }
+    robot_.serve(wire);
+    read_answers();
+  }
+
   void read_answers() {
     for (const can::CanFrame& frame : wire.from_robot) {
       can::FrameStamp stamp;
@@ -74,6 +82,10 @@ class Puppeteer {
           (void)can::decode_leg_state(frame, stamp, leg[index(side)], status[index(side)]);
         } else if (frame.identifier == can::state_identifier(can::foot_node(side))) {
           (void)can::decode_foot_force(frame, stamp, foot[index(side)]);
+        } else if (frame.identifier == can::inertial_identifier(leg_node)) {
+          (void)can::decode_leg_inertial(frame, stamp, leg_inertial[index(side)]);
+        } else if (frame.identifier == can::inertial_identifier(can::foot_node(side))) {
+          (void)can::decode_foot_inertial(frame, stamp, foot_inertial[index(side)]);
         } else if (frame.identifier == can::emergency_identifier(leg_node) &&
                    can::decode_emergency(frame, stamp, emergency) == can::Rejection::kNone) {
           last_emergency[index(side)] = emergency.code;
@@ -91,6 +103,8 @@ class Puppeteer {
   PerSide<can::LegStatus> status{};
   PerSide<FootSensors> foot{};
   ImuSensors imu{};
+  PerSide<LegInertialSensors> leg_inertial{};
+  PerSide<FootInertialSensors> foot_inertial{};
   PerSide<std::uint16_t> last_emergency{};
   PerSide<int> emergencies{};
 

@@ -82,8 +82,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"duration_s = 0", "walk.toml:1:14: duration_s is 0; expected more than 0, up to 3600 s"},
         BadInput{"duration_s = 1e300", "walk.toml:1:14: duration_s is 1e+300; expected more than 0, up to 3600 s"},
         BadInput{"duration_s = -20", "walk.toml:1:14: duration_s is -20; expected"},
-        BadInput{"robot = \"khr2\"",
-                 "walk.toml:1:9: robot is \"khr2\"; expected \"elkahlout\"\n"
+        BadInput{"robot = \"asimo\"",
+                 "walk.toml:1:9: robot is \"asimo\"; expected one of \"elkahlout\", \"khr2\"\n"
                  "  remedy: choose a name that exists, or remove the key to use \"elkahlout\""},
         BadInput{"plant = \"mars\"", "walk.toml:1:9: plant is \"mars\"; expected one of \"thesis\", \"nominal\""},
         BadInput{"[gate]\ntorque_limit_nm = 301",
@@ -192,7 +192,7 @@ TEST(ScenarioError, UnreadableFileSaysWhy) {
 }
 
 TEST(ScenarioError, EndlessFileIsRefused) {
-  EXPECT_THAT(refusal_of_file("/dev/zero"), HasSubstr("is larger than 64 KiB; expected a scenario file"));
+  EXPECT_THAT(refusal_of_file("/dev/zero"), HasSubstr("is larger than 128 KiB; expected a scenario file"));
 }
 
 TEST(ScenarioError, FileOnDiskIsNamedAsItWasGiven) {
@@ -203,8 +203,10 @@ TEST(ScenarioError, FileOnDiskIsNamedAsItWasGiven) {
 TEST(ScenarioError, DeepNestingIsRefusedNotFollowed) {
   EXPECT_THAT(refusal_of("seed = " + std::string(60000, '[')), HasSubstr("walk.toml:1:"));
   std::string deep = "a";
-  while (deep.size() < 60000) deep += ".a";
+  while (deep.size() < 2000) deep += ".a";
   EXPECT_THAT(refusal_of(deep + " = 1"), HasSubstr("walk.toml:1:1: a is unknown"));
+  while (deep.size() < 120000) deep += ".a";
+  EXPECT_THAT(refusal_of("seed = 1\n" + deep + " = 1"), HasSubstr("walk.toml:2: has more than 1000 dots on a line"));
 }
 
 }  // namespace

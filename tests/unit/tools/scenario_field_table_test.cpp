@@ -10,16 +10,18 @@
 
 #include "tests/unit/tools/scenario_testing.hpp"
 #include "tools/scenario/field_table.hpp"
+#include "tools/scenario/preset.hpp"
 
 namespace surefoot::scenario {
 namespace {
 
-/// A scenario, a load, a push and a fault, with every key of theirs.
+/// A scenario, a load, a push, a patch and a fault, with every key of theirs.
 struct Everything {
   [[nodiscard]] std::vector<Field> all_fields() {
     std::vector<Field> all = fields(scenario);
     for (const Field& field : fields(payload)) all.push_back(field);
     for (const Field& field : fields(push)) all.push_back(field);
+    for (const Field& field : fields(patch)) all.push_back(field);
     for (const Field& field : fields(fault)) all.push_back(field);
     return all;
   }
@@ -27,6 +29,7 @@ struct Everything {
   Scenario scenario;
   sim_hw::PayloadConfig payload;
   sim_hw::PushConfig push;
+  sim_hw::PatchConfig patch;
   sim_hw::FaultConfig fault;
 };
 
@@ -70,7 +73,7 @@ TEST(ScenarioFields, NamesOfNumbersEndWithTheirUnit) {
 
 TEST(ScenarioFields, DefaultsOfBothPlantsAreInRange) {
   for (const char* plant : {"thesis", "nominal"}) {
-    Scenario scenario = preset(plant);
+    Scenario scenario = preset({.plant = plant});
     share_numbers(scenario);
     EXPECT_NO_THROW(validate(scenario)) << plant;
   }
@@ -88,6 +91,7 @@ TEST(ScenarioFields, ListOfKeysAndEffectiveScenarioShowEachKey) {
   EXPECT_THAT(list, testing::HasSubstr("  payload.N.mass_kg "));
   EXPECT_THAT(list, testing::HasSubstr("  payload.N.removed_at_s "));
   EXPECT_THAT(list, testing::HasSubstr("  push.N.force_n "));
+  EXPECT_THAT(list, testing::HasSubstr("  patch.N.size_m "));
   EXPECT_THAT(list, testing::HasSubstr("  fault.N.kind "));
 }
 
@@ -145,19 +149,26 @@ class Coverage {
 // Catches a member that was added to a configuration and not to the table: it could neither be set
 // nor would it be saved with the run.
 TEST(ScenarioFields, EveryMemberOfTheConfigurationHasAKey) {
-  Scenario scenario;
+  Scenario scenario = preset({.robot = "khr2"});  // which has every key that the other robot has
   Coverage coverage(scenario);
   for (const Field& field : fields(scenario)) coverage.add(field);
   coverage.add(scenario.robot);
   coverage.add(scenario.plant);
+  coverage.add(scenario.controllers);
   coverage.add(scenario.sim.payloads);
   coverage.add(scenario.sim.pushes);
+  coverage.add(scenario.sim.terrain.patches);
   coverage.add(scenario.sim.faults);
-  coverage.add(scenario.sim.geometry);                      // share_numbers
-  coverage.add(scenario.sim.control_period_s);              // share_numbers
-  coverage.add(scenario.firmware.servo.torque_limit_nm);    // share_numbers
-  coverage.add(scenario.sim.time_zero_s);                   // the runner's
-  coverage.add(scenario.firmware.reflex.capture.geometry);  // the controller copies its own
+  coverage.add(scenario.sim.geometry);                    // share_numbers
+  coverage.add(scenario.sim.control_period_s);            // share_numbers
+  coverage.add(scenario.firmware.servo.torque_limit_nm);  // share_numbers
+  coverage.add(scenario.sim.time_zero_s);                 // the runner's
+  coverage.add(scenario.firmware.method);                 // follows the robot
+  FloorWalkerConfig& floor = scenario.firmware.floor;
+  coverage.add(floor.nominal);                                   // share_numbers, from recorded tables
+  coverage.add(floor.stabilizer.sway_amplitude.pattern_sway_m);  // share_numbers
+  coverage.add(floor.stabilizer.step_adjustment.com_height_m);   // share_numbers
+  coverage.add(scenario.firmware.reflex.capture.geometry);       // the controller copies its own
   EXPECT_LT(coverage.longest_gap(), 8U);
 
   sim_hw::PayloadConfig payload;
@@ -169,6 +180,11 @@ TEST(ScenarioFields, EveryMemberOfTheConfigurationHasAKey) {
   Coverage push_coverage(push);
   for (const Field& field : fields(push)) push_coverage.add(field);
   EXPECT_LT(push_coverage.longest_gap(), 8U);
+
+  sim_hw::PatchConfig patch;
+  Coverage patch_coverage(patch);
+  for (const Field& field : fields(patch)) patch_coverage.add(field);
+  EXPECT_LT(patch_coverage.longest_gap(), 8U);
 
   sim_hw::FaultConfig fault;
   Coverage fault_coverage(fault);
@@ -197,8 +213,9 @@ TEST(ScenarioFields, KeysOfATableStandInTheOrderOfTheirMembers) {
   }
   sim_hw::PayloadConfig payload;
   sim_hw::PushConfig push;
+  sim_hw::PatchConfig patch;
   sim_hw::FaultConfig fault;
-  for (const std::vector<Field>& element : {fields(payload), fields(push), fields(fault)}) {
+  for (const std::vector<Field>& element : {fields(payload), fields(push), fields(patch), fields(fault)}) {
     for (std::size_t i = 1; i < element.size(); ++i) {
       EXPECT_TRUE(std::less<>{}(address_of(element[i - 1]), address_of(element[i]))) << element[i].key;
     }

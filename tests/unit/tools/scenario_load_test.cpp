@@ -127,7 +127,7 @@ TEST(ScenarioLoad, ValidateRefusesAScenarioWhoseRoomsDisagree) {
 
 TEST(ScenarioLoad, ValidateRefusesWhatNoFileCanSay) {
   Scenario scenario;
-  scenario.robot = "khr2";
+  scenario.robot = "asimo";
   scenario.sim.payloads.push_back({.mass_kg = -1.0});
   try {
     validate(scenario);

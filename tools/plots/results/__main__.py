@@ -4,7 +4,15 @@ import json
 import sys
 
 from tools.plots import look
-from tools.plots.results import band, false_alarms, random_loads, survival_map, survival_table, trigger_delays
+from tools.plots.results import (
+    band,
+    false_alarms,
+    floor_traces,
+    random_loads,
+    survival_map,
+    survival_table,
+    trigger_delays,
+)
 
 FIGURES = {
     "table": survival_table,
@@ -12,6 +20,7 @@ FIGURES = {
     "band": band,
     "trigger_delays": trigger_delays,
     "false_alarms": false_alarms,
+    "floor_traces": floor_traces,
     "map": survival_map,
 }
 

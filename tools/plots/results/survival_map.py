@@ -26,7 +26,8 @@ def figure(result: dict) -> Figure:
             for (row, column), share in np.ndenumerate(shares):
                 colour = "white" if share > 0.8 else look.BLACK
                 axis.text(column, row, round(share * of), ha="center", va="center", size=8, color=colour)
-        axis.set_title(f"reflex {panel['method']}: {panel['survive']} of {result['of_each_method']}", size=10)
+        name = f"{result['method_title']} {panel['method']}"
+        axis.set_title(f"{name}: {panel['survive']} of {result['of_each_method']}", size=10)
         axis.set_xlabel(result["columns"]["title"])
         if max(map(len, columns)) > _LONGEST_UPRIGHT:
             axis.tick_params(axis="x", rotation=45)

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "firmware/core/estimation/attitude.hpp"
+#include "firmware/core/estimation/estimator.hpp"
+#include "firmware/core/foot_reference.hpp"
+#include "firmware/core/gait/floor_walk.hpp"
+#include "firmware/core/geometry/robot_geometry.hpp"
+#include "firmware/core/sensor_snapshot.hpp"
+#include "firmware/core/stabilizer/nominal_table.hpp"
+#include "firmware/core/stabilizer/stabilizer.hpp"
+
+namespace surefoot {
+
+/// The walk on uneven floors beyond `gait::WalkParameters`. Source: Kim, Park, Oh 2007.
+struct FloorWalkerConfig {
+  gait::FourFactorParameters pattern{};
+  estimation::AttitudeConfig attitude{};
+  estimation::AnkleSensorRange ankle_range{};
+  stabilizer::StabilizerConfig stabilizer{};
+  stabilizer::NominalTable nominal{};
+  double body_mass_kg = 56.0;
+};
+
+/// Everything that lives between two ticks.
+struct FloorWalkerState {
+  gait::FloorWalkState walk{};
+  estimation::AttitudeState attitude{};
+  stabilizer::StabilizerState stabilizer{};
+  stabilizer::Adjustment last{};
+  double standing_force_n = 0.0;  ///< filtered force at the end of the standing: the robot's weight
+};
+
+/// What one tick of it produced.
+struct FloorWalkerOutput {
+  stabilizer::StabilizerInput input{};
+  stabilizer::StabilizerOutput adjustment{};
+  FootReference foot_reference{};
+  JointReference joint_reference{};
+};
+
+/// One tick: sensors, stages, controllers, feet, joints.
+///
+/// @param stops     the walk shall end, for good
+/// @param period_s  time since the last call, > 0
+[[nodiscard]] FloorWalkerOutput step(const FloorWalkerConfig&, const gait::WalkParameters&,
+                                     const geometry::RobotGeometry&, FloorWalkerState&, const SensorSnapshot&,
+                                     const estimation::Estimate&, bool stops, double period_s) noexcept;
+
+}  // namespace surefoot

@@ -1,0 +1,49 @@
+#include "firmware/core/stabilizer/attitude_feedback.hpp"
+
+#include "firmware/core/stabilizer/nominal_table.hpp"
+
+namespace surefoot::stabilizer {
+namespace {
+
+/// Share of each foot that carries; 0 for one that does not.
+PerSide<double> load_share(const StabilizerInput& input) noexcept {
+  PerSide<double> force_n{};
+  for (const Side side : kSides) {
+    const auto& load = input.ankle[index(side)];
+    force_n[index(side)] = load.carries() ? sound_or_zero(load.normal_force_n) : 0.0;
+  }
+  const double sum_n = force_n[0] + force_n[1];
+  if (!(sum_n > 0.0)) return {};
+  return {force_n[0] / sum_n, force_n[1] / sum_n};
+}
+
+double against_rad(const AttitudeFeedbackConfig& config, double angle_rad, double rate_rad_s) noexcept {
+  return within(config.gain * (angle_rad + config.rate_gain_s * rate_rad_s), config.max_angle_rad);
+}
+
+}  // namespace
+
+Adjustment step(const AttitudeFeedbackConfig& config, AttitudeFeedbackState& state, const StabilizerInput& input,
+                bool is_active) noexcept {
+  const PhaseSample& now = input.measured;
+  const PhaseSample flat = between(PhaseSample{}, input.nominal, config.nominal_share);
+  const AnkleAngles wanted{against_rad(config, deviation(now.torso_roll_rad, flat.torso_roll_rad),
+                                       deviation(now.torso_roll_rate_rad_s, flat.torso_roll_rate_rad_s)),
+                           against_rad(config, deviation(now.torso_pitch_rad, flat.torso_pitch_rad),
+                                       deviation(now.torso_pitch_rate_rad_s, flat.torso_pitch_rate_rad_s))};
+  approach(state.wanted, wanted, low_pass_share(input.period_s, config.smoothing_s));
+
+  const PerSide<double> carried = load_share(input);
+  approach(state.activity, is_active ? 1.0 : 0.0, low_pass_share(input.period_s, config.fade_s));
+  for (const Side side : kSides) {
+    double& share = state.load_share[index(side)];
+    approach(share, carried[index(side)], low_pass_share(input.period_s, config.load_time_constant_s));
+    AnkleAngles& angle = state.added_angle[index(side)];
+    const double weight = state.activity * share;
+    angle.roll_rad = slewed(angle.roll_rad, weight * state.wanted.roll_rad, config.max_rate_rad_s, input.period_s);
+    angle.pitch_rad = slewed(angle.pitch_rad, weight * state.wanted.pitch_rad, config.max_rate_rad_s, input.period_s);
+  }
+  return with_ankles(state.added_angle);
+}
+
+}  // namespace surefoot::stabilizer

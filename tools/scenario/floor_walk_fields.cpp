@@ -1,0 +1,72 @@
+#include "tools/scenario/controller_fields.hpp"
+#include "tools/scenario/field_builders.hpp"
+#include "tools/scenario/preset.hpp"
+#include "tools/scenario/scenario.hpp"
+
+namespace surefoot::scenario {
+
+void append_floor_walk_fields(std::vector<Field>& table, Scenario& scenario) {
+  gait::FourFactorParameters& pattern = scenario.firmware.floor.pattern;
+  stabilizer::AdjustmentLimits& limits = scenario.firmware.floor.stabilizer.limits;
+  table.insert(
+      table.end(),
+      {Field{"pattern.step_length_m",
+             &pattern.step_length_m,
+             {0.0, 0.3},
+             "m",
+             "distance of two successive footholds, 0 to walk on the spot"},
+       Field{"pattern.com_height_m",
+             &pattern.com_height_m,
+             {0.1, 2.0},
+             "m",
+             "height of the centre of mass above the soles, of the pendulum along x"},
+       Field{"pattern.pelvis_x_m", &pattern.pelvis_x_m, {-0.1, 0.1}, "m", "pelvis ahead of the middle of the feet"},
+       Field{"pattern.shift_steps",
+             &pattern.shift_steps,
+             {1.0, 20.0},
+             "steps",
+             "time in which the sway grows before the first lift"},
+       Field{"pattern.standing_s", &pattern.standing_s, {0.0, 600.0, true}, "s", "time of standing before the walk"},
+       Field{"pattern.longest_wait_s", &pattern.longest_wait_s, {0.0, 60.0}, "s", "longest wait of a step for contact"},
+       Field{"pattern.height_settling_s",
+             &pattern.height_settling_s,
+             {0.01, 60.0},
+             "s",
+             "time constant with which a foot that landed high comes back to level"},
+       Field{"attitude.time_constant_s",
+             &scenario.firmware.floor.attitude.time_constant_s,
+             {0.01, 600.0},
+             "s",
+             "time constant from which on the torso's accelerometer is trusted"},
+       Field{"attitude.ankle_force_range_n",
+             &scenario.firmware.floor.ankle_range.force_n,
+             {1.0, 1e5},
+             "N",
+             "range of the force that is formed from a sole's load cells"},
+       Field{"attitude.ankle_moment_range_nm",
+             &scenario.firmware.floor.ankle_range.moment_nm,
+             {1.0, 1e4},
+             "N m",
+             "range of the moments that are formed from a sole's load cells"},
+       Field{"stabilizer.max_ankle_rad", &limits.ankle_rad, {0.0, 0.5}, "rad", "bound on the sum at each ankle axis"},
+       Field{
+           "stabilizer.max_pelvis_m", &limits.pelvis_m, {0.0, 0.2}, "m", "bound on the sum at each axis of the pelvis"},
+       Field{"stabilizer.max_leg_m", &limits.leg_m, {0.0, 0.1}, "m", "bound on the sum at each leg's length"},
+       Field{"stabilizer.max_landing_m",
+             &limits.landing_m,
+             {0.0, 0.2},
+             "m",
+             "bound on the sum at each axis of the landing point"},
+       Field{"stabilizer.body_mass_kg",
+             &scenario.firmware.floor.body_mass_kg,
+             {1.0, 300.0},
+             "kg",
+             "mass of the robot as its controllers know it"},
+       name_field("stabilizer.set", scenario.controllers, kControllerSets,
+                  "set of online controllers that a scenario begins with")});
+  append_new_controller_fields(table, scenario.firmware.floor.stabilizer);
+  append_old_controller_fields(table, scenario.firmware.floor.stabilizer);
+  append_smoothing_fields(table, scenario.firmware.floor.stabilizer);
+}
+
+}  // namespace surefoot::scenario
