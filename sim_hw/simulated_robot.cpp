@@ -316,10 +316,11 @@ void SimulatedRobot::advance_to(double world_time_s, can::CanBus& bus) noexcept 
 }
 
 void SimulatedRobot::announce(can::CanBus& bus) noexcept {
+  // First, so that whoever has heard all nodes knows what drives this robot's time.
+  if (parts_->clock == WorldClock::kLockstep) parts_->outbox.add(parts_->served_marker(kNoTick));
   parts_->nodes.for_each([this](can::Node name, auto& node) {
     if (!parts_->unpowered.has(name)) node.announce(parts_->outbox);
   });
-  if (parts_->clock == WorldClock::kLockstep) parts_->outbox.add(parts_->served_marker(kNoTick));
   parts_->flush(bus);
 }
 

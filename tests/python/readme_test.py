@@ -24,7 +24,7 @@ def _is_there(path: str, document: Path) -> bool:
 
 def _subcommands() -> set[str]:
     listed = surefoot("--help").stdout.decode().split("Subcommands:\n")[1].split("\n\n")[0]
-    return {*re.findall(r"^  (\w+)", listed, re.MULTILINE), "plot"}
+    return {*re.findall(r"^  ([\w-]+)", listed, re.MULTILINE), "plot"}
 
 
 def _subfolders(folder: Path) -> set[str]:
@@ -77,7 +77,7 @@ def test_every_command_shown_is_there_and_so_are_its_scenarios(document: Path):
         command = line.split("#")[0]
         for program in re.findall(r"(?:^|[|&] *)((?:tools|build|\.venv)/\S+)", command):
             assert program.startswith(("build/", ".venv/")) or (ROOT / program).is_file(), line
-        for subcommand in re.findall(r"tools/surefoot (\S+)", command):
+        for subcommand in re.findall(r"tools/surefoot ([\w.-]+)", command):
             assert subcommand in _subcommands(), line
         for scenario in re.findall(r"\S+\.toml", command):
             assert (ROOT / scenario).is_file(), line
