@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "tools/scenario/field_builders.hpp"
 #include "tools/scenario/field_table.hpp"
 #include "tools/scenario/preset.hpp"
 
@@ -31,6 +32,21 @@ void write_line(std::string& text, const Field& field) {
 void describe(std::string& text, const std::string& key, const Field& field) {
   fmt::format_to(std::back_inserter(text), "  {:<42} {:<8} {}\n{:>53} {}; default {}\n", key, kind_name(field),
                  field.doc, "", expectation(field), value_text(field));
+}
+
+/// The keys that the other robot has beside all of these.
+void describe_khr2_keys(std::string& text, std::string& table) {
+  Scenario khr2 = preset({.robot = "khr2"});
+  std::vector<Field> its_own;
+  append_floor_walk_fields(its_own, khr2);
+  text += "\nWith robot = \"khr2\" alone, which also has other defaults above (its effective scenario shows them):\n";
+  for (const Field& field : its_own) {
+    if (table_of(field.key) != table) {
+      table = table_of(field.key);
+      text += "\n[" + table + "]\n";
+    }
+    describe(text, field.key, field);
+  }
 }
 
 }  // namespace
@@ -82,6 +98,7 @@ std::string describe_keys() {
     }
     describe(text, field.key, field);
   }
+  describe_khr2_keys(text, table);
   sim_hw::PayloadConfig payload;
   text += fmt::format(
       "\n[[payload]], up to {} of them; --set payload.0.mass_kg=5 changes the first, payload=[] removes all\n",

@@ -88,6 +88,8 @@ TEST(ScenarioFields, ListOfKeysAndEffectiveScenarioShowEachKey) {
     EXPECT_THAT(list, testing::HasSubstr(field.doc));
     EXPECT_THAT(text, testing::HasSubstr(fmt::format("\n{} = ", field.key.substr(field.key.find('.') + 1))));
   }
+  Scenario khr2 = preset({.robot = "khr2"});
+  for (const Field& field : fields(khr2)) EXPECT_THAT(list, testing::HasSubstr(fmt::format("  {} ", field.key)));
   EXPECT_THAT(list, testing::HasSubstr("  payload.N.mass_kg "));
   EXPECT_THAT(list, testing::HasSubstr("  payload.N.removed_at_s "));
   EXPECT_THAT(list, testing::HasSubstr("  push.N.force_n "));
