@@ -18,7 +18,6 @@
 namespace surefoot::sim_hw {
 namespace {
 
-constexpr std::uint32_t kNoTick = 0xFFFF'FFFFU;     // of a marker before tick 0: nobody's SYNC is meant
 constexpr std::int64_t kFreeRunningSlackTicks = 5;  // a SYNC that was late, and one that is early
 
 const SimConfig& checked(const SimConfig& config) {
@@ -317,7 +316,7 @@ void SimulatedRobot::advance_to(double world_time_s, can::CanBus& bus) noexcept 
 
 void SimulatedRobot::announce(can::CanBus& bus) noexcept {
   // First, so that whoever has heard all nodes knows what drives this robot's time.
-  if (parts_->clock == WorldClock::kLockstep) parts_->outbox.add(parts_->served_marker(kNoTick));
+  if (parts_->clock == WorldClock::kLockstep) parts_->outbox.add(parts_->served_marker(can::kAnnouncedBeforeAnyTick));
   parts_->nodes.for_each([this](can::Node name, auto& node) {
     if (!parts_->unpowered.has(name)) node.announce(parts_->outbox);
   });

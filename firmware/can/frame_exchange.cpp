@@ -156,6 +156,8 @@ Rejection FrameExchange::accept_lockstep_served(const CanFrame& frame) noexcept 
     return Rejection::kNone;
   }
   if (!is_robot_in_lockstep_) return Rejection::kUnknownIdentifier;
+  // An announcement that crossed our first SYNC on the way.
+  if (stamp.tick == kAnnouncedBeforeAnyTick) return Rejection::kNone;
   if (stamp.tick != tick_) return Rejection::kLate;
   const Rejection rejection = judge_counter(served_watch_, stamp);
   if (rejection == Rejection::kNone) is_served_ = true;

@@ -28,6 +28,8 @@ inline constexpr std::uint16_t kSyncIdentifier = 0x080;
 /// did not answer, so that the firmware need not wait for it; and with the announcements before tick 0, so that
 /// firmware on the wall clock and a robot in lockstep do not take each other for their like.
 inline constexpr std::uint16_t kLockstepServedIdentifier = 0x7F0;
+/// The tick that such a frame carries when it is an announcement: nobody's SYNC is meant.
+inline constexpr std::uint32_t kAnnouncedBeforeAnyTick = 0xFFFF'FFFF;
 
 [[nodiscard]] constexpr std::uint16_t emergency_identifier(Node node) noexcept {
   return static_cast<std::uint16_t>(0x080 + static_cast<std::uint16_t>(node));

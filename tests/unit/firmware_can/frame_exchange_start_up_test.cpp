@@ -67,6 +67,17 @@ TEST_F(FrameExchangeStartUpTest, IsCompleteWhenTheSimulatedRobotSaysThatItHasSer
   EXPECT_FALSE(exchange.collect(bus)) << "the next tick is awaited anew";
 }
 
+TEST_F(FrameExchangeStartUpTest, TakesAnAnnouncementThatCrossedTheFirstSyncForWhatItIs) {
+  const CanFrame announcement = encode_lockstep_served({.tick = kAnnouncedBeforeAnyTick, .counter = 3});
+  bus.incoming = {announcement};
+  exchange.listen(bus);
+  exchange.begin_tick(bus, 0);
+  bus.incoming = {announcement};
+  EXPECT_FALSE(exchange.collect(bus)) << "nothing was answered yet";
+  EXPECT_EQ(rejected(Rejection::kLate), 0U);
+  EXPECT_EQ(exchange.counters().lost, 0U);
+}
+
 TEST_F(FrameExchangeStartUpTest, DoesNotTakeTheWordOfALockstepRobotThatNeverSaidItWasOne) {
   exchange.begin_tick(bus, 5);
   bus.incoming = {encode_lockstep_served({.tick = 5})};
