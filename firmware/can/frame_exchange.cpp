@@ -259,8 +259,19 @@ Rejection FrameExchange::accept_heartbeat(Node node, const CanFrame& frame) noex
     emergency_watch_[slot(node)].restart();
     inertial_.is_expected[slot(node)] = false;
   }
-  if (heartbeat.has_inertial_sensors && node != Node::kTorsoImu) inertial_.is_expected[slot(node)] = true;
+  if (heartbeat.has_inertial_sensors && node != Node::kTorsoImu) expect_inertial(node);
   return roster_.status(node).is_foreign() ? Rejection::kForeignVersion : Rejection::kNone;
+}
+
+/// The silence of sensors that never speak begins with their announcement.
+void FrameExchange::expect_inertial(Node node) noexcept {
+  inertial_.is_expected[slot(node)] = true;
+  for (const Side side : kSides) {
+    Freshness* freshness = nullptr;
+    if (node == leg_node(side)) freshness = &snapshot_.leg_inertial[index(side)].freshness;
+    if (node == foot_node(side)) freshness = &snapshot_.foot_inertial[index(side)].freshness;
+    if (freshness != nullptr && !freshness->was_heard()) freshness->age_ticks = 0;
+  }
 }
 
 Rejection FrameExchange::accept_emergency(Node node, const CanFrame& frame) noexcept {

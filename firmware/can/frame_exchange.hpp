@@ -97,6 +97,7 @@ class FrameExchange {
   [[nodiscard]] Rejection accept_inertial(Node node, const CanFrame& frame) noexcept;
   [[nodiscard]] Rejection accept_leg_inertial(Side side, const CanFrame& frame) noexcept;
   [[nodiscard]] Rejection accept_foot_inertial(Side side, const CanFrame& frame) noexcept;
+  void expect_inertial(Node node) noexcept;
   [[nodiscard]] Rejection accept_heartbeat(Node node, const CanFrame& frame) noexcept;
   [[nodiscard]] Rejection accept_emergency(Node node, const CanFrame& frame) noexcept;
   [[nodiscard]] Rejection accept_lockstep_served(const CanFrame& frame) noexcept;

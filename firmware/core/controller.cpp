@@ -12,19 +12,30 @@ namespace {
 constexpr double kTrembling_s = 1.0;  // a robot that comes to rest is not still at once
 
 /// Whether every sensor must feel something.
-bool is_moving(const decision::Decision& decision) noexcept {
+/// @param walks_on  the robot does not stand still while a reflex settles
+bool is_moving(const decision::Decision& decision, bool walks_on) noexcept {
   using decision::ReflexPhase;
   if (decision.phase == ReflexPhase::kStanding || decision.phase == ReflexPhase::kStopped) return false;
-  return decision.phase == ReflexPhase::kWalking || decision.time_in_phase_s < kTrembling_s;
+  return walks_on || decision.phase == ReflexPhase::kWalking || decision.time_in_phase_s < kTrembling_s;
 }
 
 /// The floor walk in the words of the sequence, for logs and verdicts.
-decision::Decision as_decision(const gait::WalkParameters& walk, const gait::FloorWalkState& state) noexcept {
+decision::Decision as_decision(const gait::WalkParameters& walk, const FloorWalkerState& walker) noexcept {
   using decision::ReflexPhase;
+  const gait::FloorWalkState& state = walker.walk;
+  const decision::PayloadShiftState& payload = walker.payload;
   decision::Decision decision;
   const bool stands = state.stage == decision::WalkStage::kStanding;
-  decision.phase = !stands ? ReflexPhase::kWalking : state.stops ? ReflexPhase::kStopped : ReflexPhase::kStanding;
-  decision.time_in_phase_s = state.time_in_stage_s;
+  decision.phase = !stands ? payload.phase : state.stops ? ReflexPhase::kStopped : ReflexPhase::kStanding;
+  decision.time_in_phase_s =
+      decision.phase == ReflexPhase::kWalking || stands ? state.time_in_stage_s : payload.time_in_phase_s;
+  decision.event = payload.event;
+  decision.is_detector_armed = payload.detector.threshold_n > 0.0;
+  decision.is_payload_seen = payload.is_payload_seen;
+  decision.threshold_n = payload.detector.threshold_n;
+  decision.reference_x_body_m = 0.0 - payload.offset_m.position;
+  decision.balance_zmp_x_body_m = payload.balance_zmp_x_m;
+  decision.adaptation_m = payload.adaptation_m;
   if (!stands) {
     decision.walk_phase_s =
         std::clamp(state.step_time_s, 0.0, walk.step_s()) + (state.moving == Side::kRight ? walk.step_s() : 0.0);
@@ -49,8 +60,8 @@ TickOutput Controller::tick(const SensorSnapshot& sensors, safety::Finding repor
   out.estimate = estimation::step(config_.estimator, config_.geometry, estimator_, sensors, period_s);
   servoes_here ? walk_with_payload(sensors, stops, out) : walk_over_floor(sensors, stops, out);
   const double standing_force_n = servoes_here ? sequence_.standing_force_n : floor_.standing_force_n;
-  const safety::Finding implausible = safety::check_sensors(config_.plausibility, plausibility_, sensors,
-                                                            is_moving(out.decision), standing_force_n, period_s);
+  const safety::Finding implausible = safety::check_sensors(
+      config_.plausibility, plausibility_, sensors, is_moving(out.decision, !servoes_here), standing_force_n, period_s);
   const safety::GateOrders orders{followed_by(reported, implausible), out.is_waiting_for_posture};
   const WantedMotion wanted{.mode = servoes_here ? LegMode::kTorque : LegMode::kPosition,
                             .torque_nm = out.wanted_torque_nm,
@@ -70,9 +81,10 @@ void Controller::walk_with_payload(const SensorSnapshot& sensors, bool stops, Ti
 }
 
 void Controller::walk_over_floor(const SensorSnapshot& sensors, bool stops, TickOutput& out) noexcept {
-  out.floor =
-      step(config_.floor, config_.walk, config_.geometry, floor_, sensors, out.estimate, stops, config_.period_s);
-  out.decision = as_decision(config_.walk, floor_.walk);
+  out.floor = step(config_.floor, config_.walk, config_.geometry, config_.detector,
+                   config_.reflex.method != decision::ReflexMethod::kOff, floor_, sensors, out.estimate, stops,
+                   config_.period_s);
+  out.decision = as_decision(config_.walk, floor_);
   out.foot_reference = out.floor.foot_reference;
   out.joint_reference = out.floor.joint_reference;
 }

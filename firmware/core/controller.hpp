@@ -30,7 +30,7 @@ struct ControllerConfig {
   gait::WalkParameters walk{};
   estimation::EstimatorConfig estimator{};
   decision::PayloadDetectorConfig detector{};
-  decision::ReflexConfig reflex{};  ///< of `kPayloadWalk`, as detector and servo
+  decision::ReflexConfig reflex{};  ///< of `kPayloadWalk`, as servo; `kFloorWalk` asks only whether there is one
   FloorWalkerConfig floor{};        ///< of `kFloorWalk`
   servo::ServoConfig servo{};
   gait::SafeStopConfig stop{};

@@ -37,6 +37,28 @@ Side stepping_foot(const WalkView& walk) noexcept {
   return walk.is_double_support ? opposite(walk.moving) : walk.moving;
 }
 
+/// What the payload reflex adds to the pelvis' place; nothing before the first step and after the last.
+double answer_payload(const FloorWalkerConfig& config, const decision::PayloadDetectorConfig& detector, bool answers,
+                      FloorWalkerState& state, const estimation::Estimate& estimate, const StabilizerInput& input,
+                      double period_s) noexcept {
+  decision::PayloadShiftState& payload = state.payload;
+  if (state.walk.steps == 0 || state.walk.stage == decision::WalkStage::kStanding) {
+    payload.event.reset();
+    payload.is_payload_seen = false;
+    return payload.offset_m.position;
+  }
+  const double carried_before_kg = payload.added_mass_kg;
+  const double offset_m = step(config.payload, detector, payload,
+                               {.vertical_force_n = estimate.vertical_force_n,
+                                .filtered_force_n = estimate.filtered_force_n,
+                                .zmp_x_foot_m = input.measured.zmp_x_foot_m,
+                                .answers = answers && !state.walk.stops},
+                               period_s);
+  constexpr double kGravity_m_s2 = 9.81;
+  state.standing_force_n += (payload.added_mass_kg - carried_before_kg) * kGravity_m_s2;
+  return offset_m;
+}
+
 void turn_joints(const stabilizer::Adjustment& adjust, JointReference& joints) noexcept {
   for (const Side side : kSides) {
     LegVector& angle_rad = joints.angle_rad[index(side)];
@@ -49,12 +71,15 @@ void turn_joints(const stabilizer::Adjustment& adjust, JointReference& joints) n
 }  // namespace
 
 FloorWalkerOutput step(const FloorWalkerConfig& config, const gait::WalkParameters& walk,
-                       const geometry::RobotGeometry& geometry, FloorWalkerState& state, const SensorSnapshot& sensors,
+                       const geometry::RobotGeometry& geometry, const decision::PayloadDetectorConfig& detector,
+                       bool answers, FloorWalkerState& state, const SensorSnapshot& sensors,
                        const estimation::Estimate& estimate, bool stops, double period_s) noexcept {
   FloorWalkerOutput out;
   StabilizerInput& input = out.input;
   input.period_s = period_s;
-  input.body_mass_kg = config.body_mass_kg;
+  input.body_mass_kg = config.body_mass_kg + state.payload.added_mass_kg;
+  input.sole = {
+      .toe_m = geometry.sole_toe_m, .heel_m = geometry.sole_heel_m, .half_width_m = 0.5 * geometry.sole_width_m};
   read_legs_and_feet(config, geometry, sensors, input);
   const estimation::Attitude torso = estimation::step(config.attitude, state.attitude, sensors.torso, period_s);
 
@@ -66,7 +91,9 @@ FloorWalkerOutput step(const FloorWalkerConfig& config, const gait::WalkParamete
 
   out.adjustment = stabilizer::step(config.stabilizer, state.stabilizer, input);
   state.last = out.adjustment.total;
-  out.foot_reference = gait::foot_reference(walk, config.pattern, state.walk, state.last);
+  stabilizer::Adjustment adjusted = state.last;
+  adjusted.pelvis_x_m += answer_payload(config, detector, answers, state, estimate, input, period_s);
+  out.foot_reference = gait::foot_reference(walk, config.pattern, state.walk, adjusted);
   out.joint_reference = kinematics::inverse(geometry, out.foot_reference);
   turn_joints(state.last, out.joint_reference);
   return out;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "firmware/core/decision/payload_shift.hpp"
 #include "firmware/core/estimation/attitude.hpp"
 #include "firmware/core/estimation/estimator.hpp"
 #include "firmware/core/foot_reference.hpp"
@@ -18,7 +19,8 @@ struct FloorWalkerConfig {
   estimation::AnkleSensorRange ankle_range{};
   stabilizer::StabilizerConfig stabilizer{};
   stabilizer::NominalTable nominal{};
-  double body_mass_kg = 56.0;
+  double body_mass_kg = 56.0;  ///< without load
+  decision::PayloadShiftConfig payload{};
 };
 
 /// Everything that lives between two ticks.
@@ -27,7 +29,8 @@ struct FloorWalkerState {
   estimation::AttitudeState attitude{};
   stabilizer::StabilizerState stabilizer{};
   stabilizer::Adjustment last{};
-  double standing_force_n = 0.0;  ///< filtered force at the end of the standing: the robot's weight
+  double standing_force_n = 0.0;  ///< filtered force at the end of the standing, loads that were answered included
+  decision::PayloadShiftState payload{};
 };
 
 /// What one tick of it produced.
@@ -40,10 +43,13 @@ struct FloorWalkerOutput {
 
 /// One tick: sensors, stages, controllers, feet, joints.
 ///
+/// @param detector  of loads; its state and the reflex' are `FloorWalkerState::payload`
+/// @param answers   whether the pelvis moves when a load is seen
 /// @param stops     the walk shall end, for good
 /// @param period_s  time since the last call, > 0
 [[nodiscard]] FloorWalkerOutput step(const FloorWalkerConfig&, const gait::WalkParameters&,
-                                     const geometry::RobotGeometry&, FloorWalkerState&, const SensorSnapshot&,
+                                     const geometry::RobotGeometry&, const decision::PayloadDetectorConfig& detector,
+                                     bool answers, FloorWalkerState&, const SensorSnapshot&,
                                      const estimation::Estimate&, bool stops, double period_s) noexcept;
 
 }  // namespace surefoot

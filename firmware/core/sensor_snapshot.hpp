@@ -40,13 +40,14 @@ struct ImuSensors {
   Freshness freshness;
 };
 
-/// What the inertial sensors of one leg report; a robot without them leaves this as it is, never heard.
+/// What the inertial sensors of one leg report; a robot without them leaves this as it is, never heard. A node that
+/// announces them counts as heard from then on, of values 0.
 struct LegInertialSensors {
   double hip_roll_rate_rad_s = 0.0;  ///< gyro behind the hip roll joint: how fast the leg leans, about x
   Freshness freshness;
 };
 
-/// What the inertial sensors in one foot report, foot frame.
+/// The same of one foot, foot frame.
 struct FootInertialSensors {
   double roll_rad = 0.0;  ///< inclinometer: of the sole against the vertical, signs as torso angles
   double pitch_rad = 0.0;

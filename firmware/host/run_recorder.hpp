@@ -23,7 +23,7 @@ struct RecorderOptions {
   std::int64_t power_up_before_zero_us = 0;    ///< added to a message's utime to give time since power-up
   std::optional<std::string> live_provider{};  ///< LCM URL, `LivePublisher::kLocalProvider`; nothing: no live telemetry
   std::size_t frame_slots = 8192;              ///< power of two; 0.9 s of 9 frames at 1 kHz
-  std::size_t message_slots = 1024;            ///< power of two; 0.5 s of 2 messages at 1 kHz
+  std::size_t message_slots = 1024;            ///< power of two; 0.3 s of 3 messages at 1 kHz
 };
 
 /// The first thing that went wrong with a file.

@@ -18,11 +18,12 @@ enum class Channel : std::uint8_t {
   kSimulatorTruth,    ///< simulator_truth_t, every tick
   kBusStatistics,     ///< bus_statistics_t, now and then
   kTimingStatistics,  ///< timing_statistics_t, now and then; live only, never in the log
+  kStabilizer,        ///< stabilizer_t, every tick of a floor walk
 };
 
 /// LCM channel names, indexed by `Channel`.
-inline constexpr std::array<const char*, 5> kChannelNames{"SUREFOOT_STATE", "SUREFOOT_EVENT", "SUREFOOT_TRUTH",
-                                                          "SUREFOOT_BUS", "SUREFOOT_TIMING"};
+inline constexpr std::array<const char*, 6> kChannelNames{"SUREFOOT_STATE", "SUREFOOT_EVENT",  "SUREFOOT_TRUTH",
+                                                          "SUREFOOT_BUS",   "SUREFOOT_TIMING", "SUREFOOT_STABILIZER"};
 
 [[nodiscard]] constexpr const char* name(Channel channel) noexcept {
   return kChannelNames[static_cast<std::size_t>(channel)];
@@ -31,7 +32,7 @@ inline constexpr std::array<const char*, 5> kChannelNames{"SUREFOOT_STATE", "SUR
 /// One message on its way from the loop to the recorder: the generated LCM struct as it stands in
 /// memory, and the function that can encode it.
 struct TelemetrySlot {
-  static constexpr std::size_t kMaxMessageBytes = 1024;
+  static constexpr std::size_t kMaxMessageBytes = 1536;
 
   /// @return bytes written to `buffer`, negative when `size` is too small
   using Encode = int (*)(const std::byte* message, void* buffer, int size);

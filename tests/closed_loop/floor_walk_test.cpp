@@ -37,12 +37,28 @@ TEST(FloorWalk, StaysUprightOnTheFlatAndHardlyDiffersWithThePapersControllers) {
 
 class OnTilesOnASlope : public ::testing::TestWithParam<std::uint64_t> {};
 
-TEST_P(OnTilesOnASlope, TheExtendedSetWalks) {
+// Kim, Park, Oh 2007, Fig. 24: 2 degrees, pitch below roll.
+TEST_P(OnTilesOnASlope, TheExtendedSetLeansLessThanThePapersRobot) {
   const run::Verdict verdict = run::run_lockstep(scenario_of(FloorCase::kBoth, "extended", GetParam()), {});
   EXPECT_EQ(verdict.outcome, run::Outcome::kWalked) << verdict.reason;
+  EXPECT_LE(verdict.torso_roll_deg.largest_magnitude(), 2.0);
+  EXPECT_LE(verdict.torso_pitch_deg.largest_magnitude(), verdict.torso_roll_deg.largest_magnitude());
 }
 
 INSTANTIATE_TEST_SUITE_P(FloorWalk, OnTilesOnASlope, ::testing::Values(1, 2, 3));
+
+// Fig. 26. Plates under half a foot tilt it while it takes over the weight; without ground seeking a late foot topples
+// the robot, without the edge limits its own ankles do.
+TEST(FloorWalk, CrossesARoomWithPlatesOnItsTilesInSteps) {
+  for (const std::uint64_t seed : {1U, 8U}) {
+    const run::Verdict verdict =
+        run::run_lockstep(scenario_of(FloorCase::kRoom, "extended", seed, {"duration_s=25"}), {});
+    EXPECT_EQ(verdict.outcome, run::Outcome::kWalked) << verdict.reason;
+    EXPECT_GE(verdict.distance_m, 4.5);
+    EXPECT_LE(verdict.torso_roll_deg.largest_magnitude(), 2.0);
+    EXPECT_LE(verdict.torso_pitch_deg.largest_magnitude(), 2.0);
+  }
+}
 
 TEST(FloorWalk, GoesAheadInStepsOfTwentyCentimetres) {
   const run::Verdict verdict =

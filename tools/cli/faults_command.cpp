@@ -42,7 +42,7 @@ run::ExitCode print_table(const FaultsArguments& arguments) {
   });
   fmt::print("{}", arguments.is_json ? faults::to_json(rows) : faults::to_markdown(rows));
   const bool is_within_gate = std::ranges::all_of(rows, [](const faults::FaultRow& row) {
-    return std::ranges::all_of(row.result, &faults::TrialResult::is_within_gate);
+    return std::ranges::all_of(row.result, [](const auto& result) { return result.command.is_within_gate; });
   });
   return is_within_gate ? run::ExitCode::kVerdictHolds : run::ExitCode::kBug;
 }

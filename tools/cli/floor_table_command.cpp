@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <chrono>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "tools/cli/bus_options.hpp"
 #include "tools/cli/commands.hpp"
 #include "tools/floor/ablation.hpp"
+#include "tools/floor/criteria.hpp"
 #include "tools/floor/floor_maps.hpp"
 #include "tools/floor/floor_table.hpp"
 #include "tools/floor/torso_trace.hpp"
@@ -27,6 +29,9 @@ struct FloorArguments : BatchArguments {
   bool is_ablation = false;
   std::string map;
   bool is_trace = false;
+  bool is_criteria = false;
+  std::string controller;
+  bool has_cases = false;  ///< an option was given that `is_criteria` knows nothing of
 };
 
 floor::FloorTableSpec spec_of(const FloorArguments& arguments, const char* default_seeds) {
@@ -71,9 +76,14 @@ run::ExitCode print_ablation(const FloorArguments& arguments, const batch::Batch
 
 run::ExitCode print_map(const FloorArguments& arguments, const batch::Batch& base) {
   const floor::FloorTableSpec cases = spec_of(arguments, "1-4");
-  map::MapSpec spec = arguments.map == "push" ? floor::push_map(arguments.duration_s)
-                                              : floor::rough_map(cases.seeds, arguments.duration_s);
-  if (arguments.sets != "all") spec.methods = cases.sets;
+  const bool varies_load = arguments.map == "payload";
+  map::MapSpec spec = varies_load               ? floor::payload_map(arguments.duration_s)
+                      : arguments.map == "push" ? floor::push_map(arguments.duration_s)
+                                                : floor::rough_map(cases.seeds, arguments.duration_s);
+  if (arguments.sets != "all") {
+    if (varies_load) throw UsageError("--map payload compares the reflex off and on; leave --set-of-controllers out");
+    spec.methods = cases.sets;
+  }
   BatchSession session("floor-map", arguments);
   const map::SurvivalMap result = map::map_of(spec, "nominal", session.run(map::map_batch(spec, base)));
   deliver({[&] { return map::map_text(result); }, [&] { return map::map_csv(result); },
@@ -106,13 +116,48 @@ run::ExitCode print_traces(const FloorArguments& arguments, const batch::Batch& 
   return run::ExitCode::kVerdictHolds;
 }
 
+run::ExitCode print_criteria(const FloorArguments& arguments, const batch::Batch& base) {
+  if (!arguments.png.empty()) throw UsageError("--png goes with --trace or --map");
+  if (arguments.has_cases) {
+    throw UsageError("--criteria has its own floors: --slope, --duration and --set-of-controllers do not go with it");
+  }
+  const floor::FloorTableSpec spec = spec_of(arguments, "1-20");
+  const std::vector<floor::Experiment> experiments = floor::criterion_experiments(spec.seeds, arguments.controller);
+  if (experiments.empty()) {
+    throw UsageError(fmt::format("--controller: the paper has no {}; surefoot stages lists its thirteen first",
+                                 arguments.controller));
+  }
+  const bool is_interactive = isatty(STDERR_FILENO) == 1;
+  const auto start = std::chrono::steady_clock::now();
+  floor::CriteriaOptions options{arguments.jobs, &stop_requested(), {}};
+  if (is_interactive) {
+    options.on_progress = [start](std::size_t done, std::size_t all) {
+      const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+      fmt::print(stderr, "\r{} of {} walks, ETA {:.0f} s\033[K", done, all,
+                 wall.count() * static_cast<double>(all - done) / static_cast<double>(done));
+    };
+  }
+  hear_stop_signals();
+  const floor::Criteria criteria = floor::measure(experiments, base, options);
+  if (is_interactive) fmt::print(stderr, "\r\033[K");
+  deliver({[&] { return floor::criteria_text(criteria); }, [&] { return floor::criteria_csv(criteria); },
+           [&] { return floor::to_json(criteria); }},
+          arguments);
+  if (criteria.missed() == 0) return run::ExitCode::kVerdictHolds;
+  fmt::print(stderr, "surefoot floor-table: {} criteria miss their number\n", criteria.missed());
+  return run::ExitCode::kFellOrLimit;
+}
+
 run::ExitCode print_floor_table(const FloorArguments& arguments) {
   if (!arguments.plant.empty()) throw UsageError("--plant: khr2 has one plant; change it with --set");
-  const int modes = (arguments.is_ablation ? 1 : 0) + (arguments.map.empty() ? 0 : 1) + (arguments.is_trace ? 1 : 0);
-  if (modes > 1) throw UsageError("give one of --ablation, --map and --trace");
+  const int modes = (arguments.is_ablation ? 1 : 0) + (arguments.map.empty() ? 0 : 1) + (arguments.is_trace ? 1 : 0) +
+                    (arguments.is_criteria ? 1 : 0);
+  if (modes > 1) throw UsageError("give one of --ablation, --criteria, --map and --trace");
+  if (!arguments.controller.empty() && !arguments.is_criteria) throw UsageError("--controller goes with --criteria");
   const batch::Batch base = floor::base_of(arguments.scenario_file, arguments.overrides);
   if (arguments.is_ablation) return print_ablation(arguments, base);
   if (!arguments.map.empty()) return print_map(arguments, base);
+  if (arguments.is_criteria) return print_criteria(arguments, base);
   return arguments.is_trace ? print_traces(arguments, base) : print_cases(arguments, base);
 }
 
@@ -142,25 +187,36 @@ void add_floor_table(CLI::App& app, run::ExitCode& result) {
   command
       ->add_option("--map", arguments->map,
                    "What the sets survive: rough (slope by tile height), push (impulse by instant, on the "
-                   "scenario's floor)")
-      ->check(CLI::IsMember({"rough", "push"}));
+                   "scenario's floor), payload (load by instant, with and without the payload reflex)")
+      ->check(CLI::IsMember({"rough", "push", "payload"}));
   command->add_flag("--trace", arguments->is_trace,
                     "Torso angles over time on the four floors, without controllers and with the extended set");
+  command->add_flag("--criteria", arguments->is_criteria,
+                    "Each controller of the paper on against off, in the quantity that it regulates");
+  command->add_option("--controller", arguments->controller, "With --criteria: this one alone, e.g. upright_pose")
+      ->type_name("NAME");
   add_batch_options(*command, *arguments);
   command->footer(
       "Floors: flat; local: tiles of 30 x 30 mm up to 4 mm; global: a slope in roll and pitch; both; room: steps of\n"
       "20 cm for 55 s on tiles of 2 to 4 mm, plates of 120 x 120 x 4 mm and a slope of 1 degree.\n"
-      "An interrupted table goes on where it stopped when the same command is given again.\n"
-      "Exit codes: 0 the extended set falls nowhere (also where it is not asked for), 2 it falls, 64 usage, 65 bad\n"
-      "scenario, 69 the machine lacks something, 130 interrupted.\n"
+      "An interrupted table goes on where it stopped when the same command is given again;\n"
+      "--criteria and --trace begin anew.\n"
+      "Exit codes: 0 the extended set falls nowhere (also where it is not asked for), 2 it falls, or a criterion "
+      "misses\n"
+      "its number, 64 usage, 65 bad scenario, 69 the machine lacks something, 130 interrupted.\n"
       "Examples:\n"
       "  surefoot floor-table\n"
       "  surefoot floor-table --set-of-controllers paper --seeds 1-5 --duration 60 --csv\n"
       "  surefoot floor-table --ablation --set-of-controllers paper\n"
+      "  surefoot floor-table --criteria\n"
+      "  surefoot floor-table --criteria --controller shock_absorber --seeds 1-50 --json\n"
       "  surefoot floor-table --map rough --png floor_map.png\n"
       "  surefoot floor-table --map push --set floor.slope_roll_deg=3 --set floor.tile_height_m=0.004\n"
+      "  surefoot floor-table --map payload --duration 11\n"
       "  surefoot floor-table --trace --png floor_traces.png");
-  command->callback([arguments, &result] {
+  command->callback([arguments, command, &result] {
+    arguments->has_cases =
+        command->count("--slope") + command->count("--duration") + command->count("--set-of-controllers") > 0;
     result = with_batch_messages("floor-table", [&] { return print_floor_table(*arguments); });
   });
 }

@@ -18,7 +18,7 @@ std::string cell(const TrialResult& result) {
                          : fmt::format("fault {}, {}, {} ticks", static_cast<int>(result.fault),
                                        safety::name(result.safe_state), result.answer_ticks.value_or(0));
   if (result.fell_after_s) text += fmt::format("; down after {:.1f} s", *result.fell_after_s);
-  if (!result.is_within_gate) text += "; BEYOND THE GATE";
+  if (!result.command.is_within_gate) text += "; BEYOND THE GATE";
   return text;
 }
 
@@ -70,10 +70,11 @@ std::string to_json(const std::vector<FaultRow>& rows) {
                       {"safe_state", safety::name(result.safe_state)},
                       {"answer_ticks", json_of(result.answer_ticks)},
                       {"fell_after_s", json_of(result.fell_after_s)},
-                      {"largest_torque_nm", result.largest_torque_nm},
-                      {"largest_torque_step_nm", result.largest_torque_step_nm},
+                      {"largest_torque_nm", result.command.torque_nm},
+                      {"largest_torque_step_nm", result.command.torque_step_nm},
+                      {"largest_angle_step_rad", result.command.angle_step_rad},
                       {"lowest_body_m", result.lowest_body_m},
-                      {"is_within_gate", result.is_within_gate}});
+                      {"is_within_gate", result.command.is_within_gate}});
     }
   }
   return json.dump(2) + "\n";

@@ -7,13 +7,13 @@
 #include "firmware/host/firmware_node.hpp"
 #include "firmware/host/memory_bus.hpp"
 #include "sim_hw/simulated_robot.hpp"
+#include "tools/faults/command_watch.hpp"
 #include "tools/run/schedule.hpp"
 #include "tools/run/standing_pose.hpp"
 
 namespace surefoot::faults {
 namespace {
 
-constexpr double kTolerance_nm = 1e-9;
 constexpr double kLoadAt_s = 1.2;
 
 /// On the scenario's clock.
@@ -28,35 +28,6 @@ double instant_s(Situation situation, double time_zero_s) {
   }
   return 0.0;
 }
-
-/// Watches the commands that leave the output gate.
-class CommandWatch {
- public:
-  CommandWatch(const safety::OutputGateConfig& gate, double period_s)
-      : limit_nm_(gate.torque_limit_nm), largest_step_nm_(gate.torque_rate_limit_nm_s * period_s) {}
-
-  void observe(const PerSide<LegCommand>& command, TrialResult& result) {
-    for (const Side side : kSides) {
-      const LegCommand& now = command[index(side)];
-      for (std::size_t joint = 0; joint < kJointsPerLeg; ++joint) {
-        const double torque_nm = now.mode == LegMode::kTorque ? now.torque_nm[joint] : 0.0;
-        const double step_nm = std::abs(torque_nm - last_nm_[index(side)][joint]);
-        if (!std::isfinite(torque_nm)) result.is_within_gate = false;
-        result.largest_torque_nm = std::max(result.largest_torque_nm, std::abs(torque_nm));
-        if (now.mode == LegMode::kTorque)
-          result.largest_torque_step_nm = std::max(result.largest_torque_step_nm, step_nm);
-        last_nm_[index(side)][joint] = torque_nm;
-      }
-    }
-    if (result.largest_torque_nm > limit_nm_ + kTolerance_nm) result.is_within_gate = false;
-    if (result.largest_torque_step_nm > largest_step_nm_ + kTolerance_nm) result.is_within_gate = false;
-  }
-
- private:
-  double limit_nm_;
-  double largest_step_nm_;
-  PerSide<LegVector> last_nm_{};
-};
 
 }  // namespace
 
@@ -96,7 +67,7 @@ TrialResult try_fault(scenario::Scenario scenario, Situation situation, sim_hw::
     static_cast<void>(firmware.collect(bus.controller_end()));
     const TickOutput& output = firmware.finish_tick(bus.controller_end());
     robot.serve(bus.robot_end());
-    commands.observe(output.command, result);
+    commands.observe(output.command, firmware.snapshot().leg);
     if (output.fault != safety::Fault::kNone && !result.answer_ticks) result.answer_ticks = tick - first_tick;
     if (robot.truth().has_fallen && !result.fell_after_s) {
       result.fell_after_s = static_cast<double>(tick - first_tick) * period_s;
@@ -105,6 +76,7 @@ TrialResult try_fault(scenario::Scenario scenario, Situation situation, sim_hw::
     result.fault = output.fault;
     result.safe_state = output.safe_state;
   }
+  result.command = commands.extremes();
   return result;
 }
 

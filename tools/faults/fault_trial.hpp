@@ -6,6 +6,7 @@
 
 #include "firmware/core/safety/safe_state.hpp"
 #include "sim_hw/faults/fault_config.hpp"
+#include "tools/faults/command_watch.hpp"
 #include "tools/scenario/scenario.hpp"
 
 namespace surefoot::faults {
@@ -26,10 +27,8 @@ struct TrialResult {
   safety::SafeState safe_state = safety::SafeState::kNone;  ///< at the end
   std::optional<std::int64_t> answer_ticks;                 ///< from the fault's first tick to the latched fault
   std::optional<double> fell_after_s;                       ///< from the fault's first tick; nothing: it stayed up
-  double largest_torque_nm = 0.0;                           ///< commanded, any joint
-  double largest_torque_step_nm = 0.0;                      ///< commanded, from tick to tick while torques are on
   double lowest_body_m = 0.0;                               ///< height of the body frame, lowest
-  bool is_within_gate = true;                               ///< both of the above keep the output gate's limits
+  CommandExtremes command{};                                ///< what left the output gate
 };
 
 /// How long a trial goes on after its fault has ended (or, for one that does not end, has begun).

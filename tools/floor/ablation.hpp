@@ -29,7 +29,7 @@ struct Ablation {
   std::vector<AblationRow> rows;
 };
 
-/// None, each of the sixteen alone, the set, the set without each; summaries empty.
+/// None, each alone, the set, the set without each; summaries empty.
 [[nodiscard]] Ablation planned(const AblationSpec& spec);
 
 /// All runs: rows, seeds, the last one fastest.

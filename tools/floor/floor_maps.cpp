@@ -60,4 +60,32 @@ map::MapSpec push_map(double duration_s) {
   return spec;
 }
 
+map::MapSpec payload_map(double duration_s) {
+  map::MapSpec spec;
+  spec.title = "KHR-2 on tiles on a slope of 3 degrees, a load hung on its chest";
+  spec.method_key = "reflex.method";
+  spec.methods = {"off", "original"};
+  spec.set = {fmt::format("duration_s={}", kFirstPush_s + duration_s),
+              "pattern.step_length_m=0",
+              "stabilizer.set=extended",
+              "floor.slope_roll_deg=3",
+              "floor.slope_pitch_deg=3",
+              "floor.tile_height_m=0.004",
+              "payload.0.position_m=[0.2, 0.0, 0.25]"};
+  spec.rows.title = "load, kg";
+  spec.columns.title = "hung at, s";
+  spec.repeats.title = "seed";
+  for (const double load_kg : {5.0, 10.0, 15.0, 20.0, 25.0, 30.0, 35.0, 40.0}) {
+    spec.rows.values.push_back({fmt::format("{}", load_kg), {fmt::format("payload.0.mass_kg={}", load_kg)}});
+  }
+  for (int i = 0; i < kInstants; ++i) {
+    const std::string at_s = fmt::format("{:.2f}", kFirstPush_s + kCycle_s * i / kInstants);
+    spec.columns.values.push_back({at_s, {"payload.0.at_s=" + at_s}});
+  }
+  for (const std::uint64_t seed : {1U, 2U}) {
+    spec.repeats.values.push_back({fmt::format("{}", seed), {fmt::format("floor.tile_seed={}", seed)}});
+  }
+  return spec;
+}
+
 }  // namespace surefoot::floor

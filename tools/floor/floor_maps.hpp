@@ -15,7 +15,12 @@ namespace surefoot::floor {
 /// gait cycle of 1.9 s; to the left and to the right are its repeats. The floor is that of the scenario.
 [[nodiscard]] map::MapSpec push_map(double duration_s);
 
-/// Instant of the first of these pushes, s; the last one is a gait cycle later.
+/// Walks on the spot on tiles on a slope of 3 degrees, extended set: a load on the chest by mass (5 to 40 kg) and eight
+/// instants of a gait cycle, without and with the payload reflex; two seeds are its repeats.
+/// @param duration_s  from the first of these instants on
+[[nodiscard]] map::MapSpec payload_map(double duration_s);
+
+/// Instant of the first of these pushes and loads, s; the last one is a gait cycle later.
 inline constexpr double kFirstPush_s = 5.0;
 
 }  // namespace surefoot::floor

@@ -7,7 +7,7 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 
 from tools.plots import look
-from tools.plots.figures import foot_references, joint_torques, overview, payload_force, torso_angles, zmp
+from tools.plots.figures import controllers, foot_references, joint_torques, overview, payload_force, torso_angles, zmp
 from tools.plots.messages import MissingGeneratorError
 from tools.plots.read_run import Run, RunFolderError, read_run
 from tools.plots.time_figure import Window, default_window
@@ -20,6 +20,10 @@ FIGURES = {
     "zmp": zmp,
     "joint_torques": joint_torques,
 }
+
+# Of runs whose robot walks on floors.
+FLOOR_FIGURES = {"controllers": controllers}
+_ALL = FIGURES | FLOOR_FIGURES
 
 _EXIT_USAGE, _EXIT_BAD_INPUT, _EXIT_LACKS = 64, 65, 69
 
@@ -39,7 +43,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("runs", nargs="+", type=Path, metavar="RUN", help="folder that `surefoot run --out` wrote")
     parser.add_argument("--from", dest="start_s", type=float, metavar="S", help="scenario time at which to begin")
     parser.add_argument("--to", dest="end_s", type=float, metavar="S", help="scenario time at which to end")
-    parser.add_argument("--only", choices=FIGURES, action="append", help="draw this picture only; may be repeated")
+    parser.add_argument("--only", choices=_ALL, action="append", help="draw this picture only; may be repeated")
     return parser
 
 
@@ -62,9 +66,10 @@ def main(arguments: list[str] | None = None) -> int:
         for folder in options.runs:
             run = read_run(folder)
             window = _window(run, options.start_s, options.end_s)
-            for name in options.only or FIGURES:
+            possible = _ALL if run.stabilizer else FIGURES
+            for name in options.only or possible:
                 picture = folder / f"{name}.png"
-                figure = FIGURES[name].figure(run, window)
+                figure = _ALL[name].figure(run, window)
                 figure.savefig(picture)
                 plt.close(figure)
                 print(picture)

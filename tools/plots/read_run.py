@@ -36,6 +36,7 @@ class Run:
     state: Columns  # controller_state_t, one row a tick
     truth: Columns  # simulator_truth_t, one row a tick
     bus: Columns  # bus_statistics_t
+    stabilizer: Columns  # stabilizer_t; empty unless the robot walks on floors
     events: list[Event]
     scenario: dict  # scenario.toml; empty when it is missing
     verdict: dict  # verdict.json; empty when the run was interrupted before it
@@ -52,6 +53,7 @@ def _channel_types() -> dict[str, type]:
         "SUREFOOT_TRUTH": types.simulator_truth_t,
         "SUREFOOT_BUS": types.bus_statistics_t,
         "SUREFOOT_EVENT": types.event_t,
+        "SUREFOOT_STABILIZER": types.stabilizer_t,
     }
 
 
@@ -117,6 +119,7 @@ def read_run(folder: Path) -> Run:
         state=_columns(messages["SUREFOOT_STATE"]),
         truth=_columns(messages["SUREFOOT_TRUTH"]),
         bus=_columns(messages["SUREFOOT_BUS"]),
+        stabilizer=_columns(messages["SUREFOOT_STABILIZER"]),
         events=[_event(message) for message in messages["SUREFOOT_EVENT"]],
         scenario=scenario,
         verdict=verdict,

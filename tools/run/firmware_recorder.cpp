@@ -17,7 +17,8 @@ FirmwareRecorder::FirmwareRecorder(const scenario::Scenario& scenario, host::Run
       waits_(waits),
       period_s_(scenario.firmware.period_s),
       time_zero_s_(scenario.sim.time_zero_s),
-      telemetry_every_(scenario.telemetry.every_ticks) {}
+      telemetry_every_(scenario.telemetry.every_ticks),
+      stabilizer_(scenario.firmware) {}
 
 void FirmwareRecorder::before_tick(std::int64_t elapsed_us) noexcept {
   if (recorder_ != nullptr) {
@@ -38,6 +39,7 @@ void FirmwareRecorder::after_tick(const host::FirmwareNode& node, const TickOutp
   }
   if (output.tick % telemetry_every_ == 0) {
     recorder_->push(host::Channel::kControllerState, utime_us_, state_message(utime_us_, output, node.snapshot()));
+    stabilizer_.push(*recorder_, utime_us_, output);
   }
   if (output.tick % kBusStatisticsTicks == kBusStatisticsTicks - 1) {
     recorder_->push(host::Channel::kBusStatistics, utime_us_,

@@ -6,6 +6,7 @@
 #include "firmware/host/loop/firmware_loop.hpp"
 #include "firmware/host/run_recorder.hpp"
 #include "tools/run/event_watch.hpp"
+#include "tools/run/stabilizer_message.hpp"
 #include "tools/scenario/scenario.hpp"
 
 namespace surefoot::run {
@@ -29,6 +30,7 @@ class FirmwareRecorder final : public host::TickObserver {
   double period_s_;
   double time_zero_s_;
   std::uint32_t telemetry_every_;
+  StabilizerTelemetry stabilizer_;
   EventWatch events_{};
   std::int64_t utime_us_ = 0;
   std::uint32_t tick_ = 0;

@@ -34,6 +34,7 @@ LockstepLoop::LockstepLoop(const scenario::Scenario& scenario, host::RunRecorder
       period_s_(scenario.firmware.period_s),
       time_zero_s_(scenario.sim.time_zero_s),
       telemetry_every_(scenario.telemetry.every_ticks),
+      stabilizer_(scenario.firmware),
       watch_(scenario, recorder),
       bus_(&watch_),
       firmware_(scenario.firmware),
@@ -47,6 +48,7 @@ LockstepLoop::LockstepLoop(const LockstepLoop& past, const scenario::Scenario& s
       period_s_(past.period_s_),
       time_zero_s_(past.time_zero_s_),
       telemetry_every_(past.telemetry_every_),
+      stabilizer_(past.stabilizer_),
       watch_(past.watch_),
       bus_(past.bus_, &watch_),
       firmware_(past.firmware_),
@@ -158,6 +160,7 @@ void LockstepLoop::record(const TickOutput& output, std::span<const RunEvent> ev
   }
   if (output.tick % telemetry_every_ == 0) {
     recorder_->push(host::Channel::kControllerState, utime_us, state_message(utime_us, output, firmware_.snapshot()));
+    stabilizer_.push(*recorder_, utime_us, output);
     recorder_->push(host::Channel::kSimulatorTruth, utime_us, truth_message(utime_us, output.tick, robot_->truth()));
   }
   if (output.tick % kBusStatisticsTicks == kBusStatisticsTicks - 1 || judge_.is_over()) {

@@ -15,6 +15,7 @@
 #include "tools/run/judge.hpp"
 #include "tools/run/lockstep_run.hpp"
 #include "tools/run/schedule.hpp"
+#include "tools/run/stabilizer_message.hpp"
 
 namespace surefoot::run {
 
@@ -58,6 +59,7 @@ class LockstepLoop {
   double period_s_;
   double time_zero_s_;
   std::uint32_t telemetry_every_;
+  StabilizerTelemetry stabilizer_;
   BusWatch watch_;
   host::MemoryBus bus_;
   host::FirmwareNode firmware_;

@@ -1,9 +1,29 @@
+#include <string>
+#include <vector>
+
 #include "tools/scenario/controller_fields.hpp"
 #include "tools/scenario/field_builders.hpp"
 #include "tools/scenario/preset.hpp"
 #include "tools/scenario/scenario.hpp"
 
 namespace surefoot::scenario {
+
+namespace {
+
+void append_payload_shift(std::vector<Field>& table, decision::PayloadShiftConfig& config) {
+  const std::string prefix = "payload_shift.";
+  table.insert(
+      table.end(),
+      {Field{prefix + "reflex_s", &config.reflex_s, {0.05, 5.0}, "s", "first move; the load is weighed meanwhile"},
+       Field{prefix + "first_offset_m", &config.first_offset_m, {0.0, 0.1}, "m", "way back of the first move"},
+       Field{prefix + "lever_m", &config.lever_m, {0.0, 1.0}, "m", "load ahead of the pelvis until the ZMP says more"},
+       Field{prefix + "settling_s", &config.settling_s, {0.05, 60.0}, "s", "second move, by the weighed load"},
+       Field{prefix + "measuring_s", &config.measuring_s, {0.05, 60.0}, "s", "time over which the ZMP is averaged"},
+       Field{prefix + "shift_s", &config.shift_s, {0.05, 60.0}, "s", "last move, by the error of the ZMP"},
+       Field{prefix + "max_offset_m", &config.max_offset_m, {0.0, 0.2}, "m", "bound on the pelvis' offset"}});
+}
+
+}  // namespace
 
 void append_floor_walk_fields(std::vector<Field>& table, Scenario& scenario) {
   gait::FourFactorParameters& pattern = scenario.firmware.floor.pattern;
@@ -64,6 +84,7 @@ void append_floor_walk_fields(std::vector<Field>& table, Scenario& scenario) {
              "mass of the robot as its controllers know it"},
        name_field("stabilizer.set", scenario.controllers, kControllerSets,
                   "set of online controllers that a scenario begins with")});
+  append_payload_shift(table, scenario.firmware.floor.payload);
   append_new_controller_fields(table, scenario.firmware.floor.stabilizer);
   append_old_controller_fields(table, scenario.firmware.floor.stabilizer);
   append_smoothing_fields(table, scenario.firmware.floor.stabilizer);

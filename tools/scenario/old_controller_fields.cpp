@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "tools/scenario/controller_fields.hpp"
 #include "tools/scenario/field_builders.hpp"
 
@@ -253,6 +255,32 @@ void append_ankles(std::vector<Field>& table, stabilizer::AttitudeFeedbackConfig
              "bound on the angle that follows the sole"}});
 }
 
+void append_edge(std::vector<Field>& table, const char* controller, stabilizer::EdgeLimits& edge) {
+  table.insert(table.end(), {Field{fmt::format("stabilizer.{}_edge_margin_m", controller),
+                                   &edge.margin_m,
+                                   {0.0, 0.2},
+                                   "m",
+                                   "distance of the ZMP from its sole's edge at which the ankle turns no further"},
+                             Field{fmt::format("stabilizer.{}_edge_band_m", controller),
+                                   &edge.band_m,
+                                   {0.001, 1.0},
+                                   "m",
+                                   "way before that over which the ankle's turn slows down"}});
+}
+
+void append_ground_seeking(std::vector<Field>& table, stabilizer::GroundSeekingConfig& config) {
+  table.insert(
+      table.end(),
+      {Field{
+           "stabilizer.ground_seeking_speed_m_s", &config.speed_m_s, {0.0, 2.0}, "m/s", "growth of a late foot's leg"},
+       Field{"stabilizer.ground_seeking_max_length_m", &config.max_length_m, {0.0, 0.02}, "m", "bound on that growth"},
+       Field{"stabilizer.ground_seeking_settling_s",
+             &config.settling_s,
+             {0.01, 60.0},
+             "s",
+             "time constant with which the leg comes back to its length"}});
+}
+
 }  // namespace
 
 void append_old_controller_fields(std::vector<Field>& table, stabilizer::StabilizerConfig& config) {
@@ -263,6 +291,9 @@ void append_old_controller_fields(std::vector<Field>& table, stabilizer::Stabili
   append_tilt_over(table, config.tilt_over);
   append_landing_points(table, config.tilt_landing_position, config.step_adjustment);
   append_ankles(table, config.attitude_feedback, config.foot_tilt);
+  append_edge(table, "attitude_feedback", config.attitude_feedback.edge);
+  append_edge(table, "foot_tilt", config.foot_tilt.edge);
+  append_ground_seeking(table, config.ground_seeking);
 }
 
 }  // namespace surefoot::scenario

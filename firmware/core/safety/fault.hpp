@@ -8,7 +8,7 @@ namespace surefoot::safety {
 /// firmware/FAULTS.md: cause, check, cure, safe state.
 enum class Fault : std::uint8_t {
   kNone = 0,
-  kSensorSilent = 1,       ///< a node did not answer for longer than the ride-through
+  kSensorSilent = 1,       ///< a node, or its inertial sensors, did not answer for longer than the ride-through
   kTorqueNotFinite = 2,    ///< the servo asked for NaN or infinity
   kJointOutOfRange = 3,    ///< a measured joint angle stands outside its mechanical range
   kJointOverspeed = 4,     ///< a measured joint rate is beyond what the robot can do unharmed

@@ -14,6 +14,14 @@ std::array<Freshness, kNodes> freshness_of_nodes(const SensorSnapshot& sensors) 
           sensors.torso.freshness};
 }
 
+/// Inertial sensors of legs and feet; a robot without them has never heard of them.
+bool are_inertial_silent(const OutputGateConfig& config, const SensorSnapshot& sensors) noexcept {
+  const auto is_silent = [&](const auto& inertial) {
+    return inertial.freshness.was_heard() && inertial.freshness.age_ticks > config.ride_through_ticks;
+  };
+  return std::ranges::any_of(sensors.leg_inertial, is_silent) || std::ranges::any_of(sensors.foot_inertial, is_silent);
+}
+
 /// A node still awaited after power-up is as old as the gate.
 Finding find_silence(const OutputGateConfig& config, const OutputGateState& state,
                      const SensorSnapshot& sensors) noexcept {
@@ -25,6 +33,7 @@ Finding find_silence(const OutputGateConfig& config, const OutputGateState& stat
     if (silent_ticks <= config.ride_through_ticks) continue;
     found = followed_by(found, finding_of_node(Fault::kSensorSilent, node < sensors.leg.size()));
   }
+  if (are_inertial_silent(config, sensors)) found = followed_by(found, finding_of_node(Fault::kSensorSilent, false));
   return found;
 }
 

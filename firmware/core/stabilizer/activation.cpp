@@ -4,10 +4,10 @@ namespace surefoot::stabilizer {
 namespace {
 
 constexpr std::array<const char*, kControllers> kNames{
-    "upright_pose",          "landing_momentum",    "shock_absorber", "landing_timing",
-    "landing_position",      "vibration_reduction", "damping",        "zmp_compensator",
-    "soft_landing",          "sway_amplitude",      "torso_tilt",     "tilt_over",
-    "tilt_landing_position", "attitude_feedback",   "foot_tilt",      "step_adjustment"};
+    "upright_pose",        "landing_momentum", "shock_absorber",        "landing_timing",    "landing_position",
+    "vibration_reduction", "damping",          "zmp_compensator",       "soft_landing",      "sway_amplitude",
+    "torso_tilt",          "tilt_over",        "tilt_landing_position", "attitude_feedback", "foot_tilt",
+    "step_adjustment",     "ground_seeking"};
 
 constexpr std::array<const char*, kSchedulePhases> kPhaseNames{"standing",    "shifting",     "lift",
                                                                "lower_swing", "lower_double", "landing"};

@@ -26,9 +26,10 @@ enum class Controller : std::uint8_t {
   kAttitudeFeedback,     ///< ours: torso attitude at the loaded ankles
   kFootTilt,             ///< ours: inclination of the sole, fed forward to its ankle
   kStepAdjustment,       ///< ours: landing point by the capture point
+  kGroundSeeking,        ///< ours: the leg of a late foot reaches for the floor
 };
 
-inline constexpr std::size_t kControllers = 16;
+inline constexpr std::size_t kControllers = 17;
 
 /// Name as it appears in scenarios, tables and logs, e.g. "upright_pose".
 [[nodiscard]] const char* name(Controller controller) noexcept;
@@ -51,7 +52,7 @@ struct ActivationRow {
   std::array<bool, kSchedulePhases> acts_in{};  ///< in the order of `SchedulePhase`
 };
 
-/// The schedule, in the order of `Controller` (Kim, Park, Oh 2007, Fig. 21, tables 4 and 5; the last three are ours).
+/// The schedule, in the order of `Controller` (Kim, Park, Oh 2007, Fig. 21, tables 4 and 5; the last four are ours).
 /// The paper's stage 5, landing and standing, is our standing, shifting and landing.
 inline constexpr std::array<ActivationRow, kControllers> kActivation{{
     // standing, shifting, lift, lower_swing, lower_double, landing
@@ -68,9 +69,10 @@ inline constexpr std::array<ActivationRow, kControllers> kActivation{{
     {Controller::kTorsoTilt, {false, false, false, false, true, false}},
     {Controller::kTiltOver, {false, false, true, false, false, false}},
     {Controller::kTiltLandingPosition, {false, false, false, true, true, false}},
-    {Controller::kAttitudeFeedback, {false, false, true, true, true, false}},
-    {Controller::kFootTilt, {false, false, true, true, true, false}},
+    {Controller::kAttitudeFeedback, {false, true, true, true, true, false}},
+    {Controller::kFootTilt, {false, true, true, true, true, false}},
     {Controller::kStepAdjustment, {false, false, true, true, true, false}},
+    {Controller::kGroundSeeking, {false, false, true, true, true, false}},
 }};
 
 /// Whether the schedule lets a controller act here (Kim, Park, Oh 2007, Fig. 21). One that may not act lets its output

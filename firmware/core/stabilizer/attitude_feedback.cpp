@@ -21,6 +21,13 @@ double against_rad(const AttitudeFeedbackConfig& config, double angle_rad, doubl
   return within(config.gain * (angle_rad + config.rate_gain_s * rate_rad_s), config.max_angle_rad);
 }
 
+/// Goes toward `target`, more slowly in a direction where there is little room.
+double turned(double angle_rad, double target_rad, double room_above, double room_below, double rate_rad_s,
+              double period_s) noexcept {
+  const double room = target_rad > angle_rad ? room_above : room_below;
+  return room > 0.0 ? slewed(angle_rad, target_rad, room * rate_rad_s, period_s) : angle_rad;
+}
+
 }  // namespace
 
 Adjustment step(const AttitudeFeedbackConfig& config, AttitudeFeedbackState& state, const StabilizerInput& input,
@@ -40,8 +47,12 @@ Adjustment step(const AttitudeFeedbackConfig& config, AttitudeFeedbackState& sta
     approach(share, carried[index(side)], low_pass_share(input.period_s, config.load_time_constant_s));
     AnkleAngles& angle = state.added_angle[index(side)];
     const double weight = state.activity * share;
-    angle.roll_rad = slewed(angle.roll_rad, weight * state.wanted.roll_rad, config.max_rate_rad_s, input.period_s);
-    angle.pitch_rad = slewed(angle.pitch_rad, weight * state.wanted.pitch_rad, config.max_rate_rad_s, input.period_s);
+    // A roll to the left moves the ZMP to the right, a pitch down to the front.
+    const EdgeRoom room = edge_room(config.edge, input.sole, input.ankle[index(side)]);
+    angle.roll_rad = turned(angle.roll_rad, weight * state.wanted.roll_rad, room.right, room.left,
+                            config.max_rate_rad_s, input.period_s);
+    angle.pitch_rad = turned(angle.pitch_rad, weight * state.wanted.pitch_rad, room.front, room.rear,
+                             config.max_rate_rad_s, input.period_s);
   }
   return with_ankles(state.added_angle);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "firmware/core/stabilizer/gradual.hpp"
+#include "firmware/core/stabilizer/sole_edge.hpp"
 
 namespace surefoot::stabilizer {
 
@@ -16,6 +17,7 @@ struct AttitudeFeedbackConfig {
   double smoothing_s = 0.02;    ///< of the wanted angle: the torso swings on hips that give
   double load_time_constant_s = 0.02;  ///< of the shares of the load
   double fade_s = 0.1;                 ///< in and out
+  EdgeLimits edge;                     ///< slows the turn that pushes the ZMP toward an edge of its sole
 };
 
 struct AttitudeFeedbackState {

@@ -32,11 +32,14 @@ Adjustment step(const FootTiltConfig& config, FootTiltState& state, const Stabil
   const bool walks = input.walk.stage != decision::WalkStage::kStanding;
   for (const Side side : kSides) {
     AnkleAngles target;
+    EdgeRoom room;
     if (is_active && walks && input.ankle[index(side)].carries()) {
+      room = edge_room(config.edge, input.sole, input.ankle[index(side)]);
       target = {following_rad(config, input.foot_roll_rad[index(side)], state.slope.roll_rad),
                 following_rad(config, input.foot_pitch_rad[index(side)], state.slope.pitch_rad)};
     }
-    approach(state.added_angle[index(side)], target, share);
+    approach(state.added_angle[index(side)].roll_rad, target.roll_rad, room.across() * share);
+    approach(state.added_angle[index(side)].pitch_rad, target.pitch_rad, room.along() * share);
   }
   return with_ankles(state.added_angle);
 }

@@ -21,8 +21,20 @@ struct AnkleAngles {
   return time_constant_s > 0.0 ? -std::expm1(-period_s / time_constant_s) : 1.0;
 }
 
-/// `value`, or 0 where it is no number or so large that arithmetic with it could overflow.
-[[nodiscard]] inline double sound_or_zero(double value) noexcept { return std::abs(value) < 1e6 ? value : 0.0; }
+/// Largest magnitude that may enter a filter: arithmetic with it does not overflow.
+inline constexpr double kLargestUsable = 1e6;
+
+/// Whether every value may enter a filter: a number, and not so large that arithmetic with it could overflow.
+template <typename... Values>
+[[nodiscard]] bool are_usable(Values... values) noexcept {
+  return ((std::abs(values) < kLargestUsable) && ...);
+}
+
+/// Whether a period may enter a filter: positive, and no gap in the control.
+[[nodiscard]] inline bool is_usable_period(double period_s) noexcept { return period_s > 0.0 && period_s <= 0.1; }
+
+/// `value`, or 0 where it is not usable.
+[[nodiscard]] inline double sound_or_zero(double value) noexcept { return are_usable(value) ? value : 0.0; }
 
 /// How far a measurement is from flat walking; 0 where either is no sound number.
 [[nodiscard]] inline double deviation(double measured, double nominal) noexcept {
@@ -50,6 +62,15 @@ inline void approach(AnkleAngles& value, const AnkleAngles& target, double share
   approach(value.roll_rad, target.roll_rad, share);
   approach(value.pitch_rad, target.pitch_rad, share);
 }
+
+/// A first-order lag, exact for an input that holds over the period; never overshoots.
+[[nodiscard]] inline double lagged(double value, double target, double time_constant_s, double period_s) noexcept {
+  approach(value, target, low_pass_share(period_s, time_constant_s));
+  return value;
+}
+
+/// A roll angle, rate or moment of the torso's sign (positive to the right) as one toward `foot`; its own inverse.
+[[nodiscard]] constexpr double toward(Side foot, double roll) noexcept { return -lateral_sign(foot) * roll; }
 
 /// An adjustment of the ankles alone.
 [[nodiscard]] inline Adjustment with_ankles(const PerSide<AnkleAngles>& ankle) noexcept {

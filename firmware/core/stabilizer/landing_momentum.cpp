@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "firmware/core/stabilizer/smooth.hpp"
+#include "firmware/core/stabilizer/gradual.hpp"
 
 namespace surefoot::stabilizer {
 namespace {

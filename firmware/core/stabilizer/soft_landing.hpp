@@ -13,7 +13,7 @@ struct SoftLandingConfig {
   double damping_nm_s_per_rad = 50.0;    ///< C
   double band_nm = 5.0;
   double max_angle_rad = 0.035;
-  double fade_s = 0.3;            ///< back to zero, on the ground and in the air
+  double fade_s = 0.3;  ///< back to zero, on the ground and in the air
 };
 
 struct SoftLandingState {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "firmware/core/stabilizer/smooth.hpp"
+#include "firmware/core/stabilizer/gradual.hpp"
 
 namespace surefoot::stabilizer {
 namespace {
@@ -47,6 +47,8 @@ Adjustment step_one(Controller controller, const StabilizerConfig& config, Stabi
       return step(config.foot_tilt, state.foot_tilt, input, acts);
     case Controller::kStepAdjustment:
       return step(config.step_adjustment, state.step_adjustment, input, acts);
+    case Controller::kGroundSeeking:
+      return step(config.ground_seeking, state.ground_seeking, input, acts);
   }
   return {};
 }
@@ -94,8 +96,9 @@ Switches paper_set() noexcept {
 Switches extended_set() noexcept {
   Switches switches{};
   for (const Controller controller :
-       {Controller::kUprightPose, Controller::kShockAbsorber, Controller::kLandingTiming, Controller::kZmpCompensator,
-        Controller::kAttitudeFeedback, Controller::kFootTilt}) {
+       {Controller::kUprightPose, Controller::kLandingMomentum, Controller::kShockAbsorber, Controller::kDamping,
+        Controller::kZmpCompensator, Controller::kAttitudeFeedback, Controller::kFootTilt,
+        Controller::kGroundSeeking}) {
     switches[static_cast<std::size_t>(controller)] = true;
   }
   return switches;

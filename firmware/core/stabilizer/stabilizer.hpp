@@ -6,6 +6,7 @@
 #include "firmware/core/stabilizer/attitude_feedback.hpp"
 #include "firmware/core/stabilizer/damping.hpp"
 #include "firmware/core/stabilizer/foot_tilt.hpp"
+#include "firmware/core/stabilizer/ground_seeking.hpp"
 #include "firmware/core/stabilizer/landing_momentum.hpp"
 #include "firmware/core/stabilizer/landing_position.hpp"
 #include "firmware/core/stabilizer/landing_timing.hpp"
@@ -58,6 +59,7 @@ struct StabilizerConfig {
   AttitudeFeedbackConfig attitude_feedback;
   FootTiltConfig foot_tilt;
   StepAdjustmentConfig step_adjustment;
+  GroundSeekingConfig ground_seeking;
 };
 
 struct StabilizerState {
@@ -77,6 +79,7 @@ struct StabilizerState {
   AttitudeFeedbackState attitude_feedback;
   FootTiltState foot_tilt;
   StepAdjustmentState step_adjustment;
+  GroundSeekingState ground_seeking;
 };
 
 struct StabilizerOutput {

@@ -1,6 +1,6 @@
 #include "firmware/core/stabilizer/sway_amplitude.hpp"
 
-#include "firmware/core/stabilizer/smooth.hpp"
+#include "firmware/core/stabilizer/gradual.hpp"
 
 namespace surefoot::stabilizer {
 namespace {

@@ -1,6 +1,6 @@
 #include "firmware/core/stabilizer/torso_tilt.hpp"
 
-#include "firmware/core/stabilizer/smooth.hpp"
+#include "firmware/core/stabilizer/gradual.hpp"
 
 namespace surefoot::stabilizer {
 namespace {

@@ -37,6 +37,13 @@ struct PhaseSample {
   double support_roll_rate_rad_s = 0.0;  ///< hip gyro of the supporting leg
 };
 
+/// How far a sole reaches from its foot frame's origin.
+struct SoleSize {
+  double toe_m = 0.128;
+  double heel_m = 0.105;
+  double half_width_m = 0.07;
+};
+
 /// Everything the controllers may know in one tick.
 struct StabilizerInput {
   WalkView walk;
@@ -47,6 +54,7 @@ struct StabilizerInput {
   PerSide<double> foot_roll_rad{};        ///< inclinometers of the soles, against gravity
   PerSide<double> foot_pitch_rad{};
   PerSide<double> foot_lateral_force_m_s2{};  ///< accelerometers of the soles, y: specific force
+  SoleSize sole;
   double body_mass_kg = 56.0;
   double period_s = 1.0e-3;
 };

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "firmware/core/stabilizer/smooth.hpp"
+#include "firmware/core/stabilizer/gradual.hpp"
 
 namespace surefoot::stabilizer {
 namespace {

@@ -128,6 +128,24 @@ TEST_F(FrameExchangeInertialTest, KeepsAndAgesTheValuesOfASensorThatFellSilentAn
   EXPECT_EQ(exchange.counters().lost, 3U);
 }
 
+TEST_F(FrameExchangeInertialTest, AgesAnnouncedSensorsThatNeverSpeakFromTheFirstTickOnAndNoOthers) {
+  announce({Node::kLegLeft, Node::kFootRight});
+  for (std::uint32_t tick = 0; tick < 15; ++tick) {
+    const SensorSnapshot& snapshot = run_tick(tick, robot.answer(tick));
+    EXPECT_EQ(snapshot.leg_inertial[index(Side::kLeft)].freshness.age_ticks, tick + 1);
+    EXPECT_EQ(snapshot.foot_inertial[index(Side::kRight)].freshness.age_ticks, tick + 1);
+    EXPECT_FALSE(snapshot.leg_inertial[index(Side::kRight)].freshness.was_heard());
+    EXPECT_FALSE(snapshot.foot_inertial[index(Side::kLeft)].freshness.was_heard());
+  }
+}
+
+TEST_F(FrameExchangeInertialTest, TakesALaterAnnouncementForNoSignOfLife) {
+  static_cast<void>(run_tick(1, everything(1)));
+  std::vector<CanFrame> answer = robot.answer(2);
+  answer.push_back(encode_heartbeat(Node::kFootLeft, {.tick = 2}, {.has_inertial_sensors = true}));
+  EXPECT_EQ(run_tick(2, answer).foot_inertial[index(Side::kLeft)].freshness.age_ticks, 1U);
+}
+
 TEST_F(FrameExchangeInertialTest, DropsWhatIsStaleRepeatedDamagedOrBeforeTheLoop) {
   bus.incoming = inertial(0);
   exchange.listen(bus);

@@ -126,6 +126,28 @@ TEST(OutputGate, DampsWhenALegBoardIsSilentBeyondTheRideThroughAndGoesOnWithoutA
   }
 }
 
+// The legs still obey: a foot or the IMU that falls silent asks for no more.
+TEST(OutputGate, LatchesForInertialSensorsThatFallSilentBeyondTheRideThroughAndStandsOn) {
+  for (std::size_t sensor = 0; sensor < 4; ++sensor) {
+    Gate gate;
+    SensorSnapshot sensors = fresh_sensors();
+    for (std::size_t side = 0; side < 2; ++side) {
+      sensors.leg_inertial[side].freshness.age_ticks = 0;
+      sensors.foot_inertial[side].freshness.age_ticks = 0;
+    }
+    static_cast<void>(gate.tick(sensors, all_joints(50.0)));
+    const std::size_t side = sensor % 2;
+    Freshness& silent = sensor < 2 ? sensors.leg_inertial[side].freshness : sensors.foot_inertial[side].freshness;
+    silent.age_ticks = 10;
+    expect_torque(gate.tick(sensors, all_joints(55.0)), 55.0);
+    EXPECT_EQ(gate.state.latched.fault, Fault::kNone) << sensor;
+    silent.age_ticks = 11;
+    expect_torque(gate.tick(sensors, all_joints(60.0)), 60.0);
+    EXPECT_EQ(gate.state.latched.fault, Fault::kSensorSilent) << sensor;
+    EXPECT_EQ(gate.state.latched.needs, SafeState::kStanceHold) << sensor;
+  }
+}
+
 TEST(OutputGate, DampsWithoutAFaultUntilEveryNodeHasAnswered) {
   for (std::size_t node = 0; node < 5; ++node) {
     Gate gate;

@@ -6,11 +6,14 @@
 #include <surefoot/controller_state_t.hpp>
 #include <surefoot/event_t.hpp>
 #include <surefoot/simulator_truth_t.hpp>
+#include <surefoot/stabilizer_t.hpp>
 #include <surefoot/timing_statistics_t.hpp>
 
 #include "firmware/can/messages.hpp"
 #include "firmware/core/decision/reflex_phase.hpp"
+#include "firmware/core/decision/walk_stage.hpp"
 #include "firmware/core/safety/safe_state.hpp"
+#include "firmware/core/stabilizer/activation.hpp"
 #include "firmware/host/allocation_guard.hpp"
 
 namespace surefoot::host {
@@ -52,6 +55,7 @@ TEST(TelemetryRing, CarriesEveryMessageTypeUnchangedAndWithoutAllocating) {
   expect_round_trip<simulator_truth_t>();
   expect_round_trip<bus_statistics_t>();
   expect_round_trip<timing_statistics_t>();
+  expect_round_trip<stabilizer_t>();
 }
 
 TEST(TelemetryRing, FullRingDropsAndCounts) {
@@ -94,6 +98,39 @@ TEST(MessageConstants, AgreeWithTheFirmwaresEnumerations) {
   EXPECT_EQ(std::int8_t{bus_statistics_t::REJECTED_LATE}, value(can::Rejection::kLate));
   EXPECT_EQ(std::int8_t{bus_statistics_t::REJECTED_IMPLAUSIBLE}, value(can::Rejection::kImplausible));
   EXPECT_EQ(std::int8_t{bus_statistics_t::REJECTED_FOREIGN_VERSION}, value(can::Rejection::kForeignVersion));
+}
+
+TEST(MessageConstants, OfTheStabilizerAgreeWithTheFirmwaresEnumerations) {
+  using decision::WalkStage;
+  using stabilizer::Controller;
+  const auto value = [](auto enumerator) { return static_cast<std::int8_t>(enumerator); };
+  EXPECT_EQ(std::int8_t{stabilizer_t::STAGE_STANDING}, value(WalkStage::kStanding));
+  EXPECT_EQ(std::int8_t{stabilizer_t::STAGE_SHIFTING}, value(WalkStage::kShifting));
+  EXPECT_EQ(std::int8_t{stabilizer_t::STAGE_LIFT_LEFT}, value(WalkStage::kLiftLeft));
+  EXPECT_EQ(std::int8_t{stabilizer_t::STAGE_LOWER_LEFT}, value(WalkStage::kLowerLeft));
+  EXPECT_EQ(std::int8_t{stabilizer_t::STAGE_LIFT_RIGHT}, value(WalkStage::kLiftRight));
+  EXPECT_EQ(std::int8_t{stabilizer_t::STAGE_LOWER_RIGHT}, value(WalkStage::kLowerRight));
+  EXPECT_EQ(std::int8_t{stabilizer_t::STAGE_LANDING}, value(WalkStage::kLanding));
+  EXPECT_EQ(std::int8_t{stabilizer_t::RIGHT}, value(Side::kRight));
+  EXPECT_EQ(std::int8_t{stabilizer_t::LEFT}, value(Side::kLeft));
+  EXPECT_EQ(std::int8_t{stabilizer_t::UPRIGHT_POSE}, value(Controller::kUprightPose));
+  EXPECT_EQ(std::int8_t{stabilizer_t::LANDING_MOMENTUM}, value(Controller::kLandingMomentum));
+  EXPECT_EQ(std::int8_t{stabilizer_t::SHOCK_ABSORBER}, value(Controller::kShockAbsorber));
+  EXPECT_EQ(std::int8_t{stabilizer_t::LANDING_TIMING}, value(Controller::kLandingTiming));
+  EXPECT_EQ(std::int8_t{stabilizer_t::LANDING_POSITION}, value(Controller::kLandingPosition));
+  EXPECT_EQ(std::int8_t{stabilizer_t::VIBRATION_REDUCTION}, value(Controller::kVibrationReduction));
+  EXPECT_EQ(std::int8_t{stabilizer_t::DAMPING}, value(Controller::kDamping));
+  EXPECT_EQ(std::int8_t{stabilizer_t::ZMP_COMPENSATOR}, value(Controller::kZmpCompensator));
+  EXPECT_EQ(std::int8_t{stabilizer_t::SOFT_LANDING}, value(Controller::kSoftLanding));
+  EXPECT_EQ(std::int8_t{stabilizer_t::SWAY_AMPLITUDE}, value(Controller::kSwayAmplitude));
+  EXPECT_EQ(std::int8_t{stabilizer_t::TORSO_TILT}, value(Controller::kTorsoTilt));
+  EXPECT_EQ(std::int8_t{stabilizer_t::TILT_OVER}, value(Controller::kTiltOver));
+  EXPECT_EQ(std::int8_t{stabilizer_t::TILT_LANDING_POSITION}, value(Controller::kTiltLandingPosition));
+  EXPECT_EQ(std::int8_t{stabilizer_t::ATTITUDE_FEEDBACK}, value(Controller::kAttitudeFeedback));
+  EXPECT_EQ(std::int8_t{stabilizer_t::FOOT_TILT}, value(Controller::kFootTilt));
+  EXPECT_EQ(std::int8_t{stabilizer_t::STEP_ADJUSTMENT}, value(Controller::kStepAdjustment));
+  EXPECT_EQ(std::int8_t{stabilizer_t::GROUND_SEEKING}, value(Controller::kGroundSeeking));
+  EXPECT_EQ(std::size_t{stabilizer_t::TOTAL}, stabilizer::kControllers);
 }
 
 }  // namespace

@@ -18,6 +18,8 @@ struct BadConfig {
   std::function<void(SimConfig&)> spoil;
 };
 
+void PrintTo(const BadConfig& bad, std::ostream* stream) { *stream << bad.field; }
+
 class RefusedPlant : public testing::TestWithParam<BadConfig> {};
 
 TEST_P(RefusedPlant, NamesTheFieldAndTheRemedy) {

@@ -175,5 +175,20 @@ TEST(FloorMaps, PushWithTheImpulseOfTheRow) {
   }
 }
 
+TEST(FloorMaps, HangTheLoadOfTheRowWithAndWithoutTheReflex) {
+  const batch::Batch batch = map::map_batch(payload_map(10.0), base_of({}, {}));
+  ASSERT_EQ(batch.trials.size(), 2U * 8U * 8U * 2U);
+  for (const std::size_t trial : {std::size_t{0}, batch.trials.size() - 1}) {
+    const scenario::Scenario scenario = loaded(batch, trial);
+    ASSERT_EQ(scenario.sim.payloads.size(), 1U);
+    EXPECT_EQ(scenario.sim.payloads[0].mass_kg, trial == 0 ? 5.0 : 40.0);
+    EXPECT_GE(scenario.sim.payloads[0].at_s, kFirstPush_s);
+    EXPECT_LT(scenario.sim.payloads[0].at_s, kFirstPush_s + scenario.firmware.walk.cycle_s());
+    EXPECT_EQ(scenario.firmware.reflex.method == decision::ReflexMethod::kOff, trial == 0);
+    EXPECT_EQ(scenario.duration_s, 15.0);
+    EXPECT_EQ(scenario.sim.contact.slope_roll_deg, 3.0);
+  }
+}
+
 }  // namespace
 }  // namespace surefoot::floor

@@ -62,6 +62,8 @@ struct BadDisturbance {
   const char* message;  ///< begins with the place
 };
 
+void PrintTo(const BadDisturbance& bad, std::ostream* stream) { *stream << on_one_line(bad.text); }
+
 class RefusedDisturbance : public testing::TestWithParam<BadDisturbance> {};
 
 TEST_P(RefusedDisturbance, NamesFileLineColumnKeyExpectationAndRemedy) {

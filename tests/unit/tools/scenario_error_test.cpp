@@ -13,6 +13,8 @@ struct BadInput {
   const char* message;  ///< begins with the place
 };
 
+void PrintTo(const BadInput& bad, std::ostream* stream) { *stream << on_one_line(bad.text); }
+
 class RefusedScenario : public testing::TestWithParam<BadInput> {};
 
 TEST_P(RefusedScenario, NamesFileLineColumnKeyExpectationAndRemedy) {

@@ -72,6 +72,8 @@ struct BadFault {
   const char* message;  ///< begins with the place
 };
 
+void PrintTo(const BadFault& bad, std::ostream* stream) { *stream << on_one_line(bad.text); }
+
 class RefusedFault : public testing::TestWithParam<BadFault> {};
 
 TEST_P(RefusedFault, NamesFileLineColumnKeyExpectationAndRemedy) {

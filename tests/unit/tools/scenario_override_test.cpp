@@ -77,6 +77,8 @@ struct BadOverride {
   const char* message;
 };
 
+void PrintTo(const BadOverride& bad, std::ostream* stream) { *stream << on_one_line(bad.text); }
+
 class RefusedOverride : public testing::TestWithParam<BadOverride> {};
 
 TEST_P(RefusedOverride, NamesItselfAndTheRemedy) {

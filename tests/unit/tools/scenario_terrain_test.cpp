@@ -96,6 +96,8 @@ struct BadTerrain {
   const char* message;  ///< begins with the place
 };
 
+void PrintTo(const BadTerrain& bad, std::ostream* stream) { *stream << on_one_line(bad.text); }
+
 class RefusedTerrain : public testing::TestWithParam<BadTerrain> {};
 
 TEST_P(RefusedTerrain, NamesFileLineColumnKeyExpectationAndRemedy) {

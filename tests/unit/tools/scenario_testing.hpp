@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -19,6 +20,12 @@ inline std::string refusal_of(const std::string& text, const std::vector<std::st
     return error.what();
   }
   return {};
+}
+
+/// A bad text as a failing test names it.
+inline std::string on_one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
 }
 
 /// The scenarios that ship with the project.
