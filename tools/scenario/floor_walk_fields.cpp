@@ -84,10 +84,10 @@ void append_floor_walk_fields(std::vector<Field>& table, Scenario& scenario) {
              "mass of the robot as its controllers know it"},
        name_field("stabilizer.set", scenario.controllers, kControllerSets,
                   "set of online controllers that a scenario begins with")});
-  append_payload_shift(table, scenario.firmware.floor.payload);
   append_new_controller_fields(table, scenario.firmware.floor.stabilizer);
   append_old_controller_fields(table, scenario.firmware.floor.stabilizer);
   append_smoothing_fields(table, scenario.firmware.floor.stabilizer);
+  append_payload_shift(table, scenario.firmware.floor.payload);
 }
 
 }  // namespace surefoot::scenario
