@@ -21,7 +21,7 @@ _ADDED = (
     "sway_centre_m", "earlier_landing_s",
 )  # fmt: skip
 _FLAGS = ("holds_lowering", "waits_for_contact")
-_TOTAL = 16
+_TOTAL = 17
 
 
 @pytest.fixture(scope="module")
