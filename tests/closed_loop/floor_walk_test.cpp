@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tests/closed_loop/run_scenario.hpp"
+#include "tools/floor/criteria_walk.hpp"
 #include "tools/floor/floor_cases.hpp"
 #include "tools/floor/torso_trace.hpp"
 #include "tools/table/experiment.hpp"
@@ -33,6 +34,31 @@ TEST(FloorWalk, StaysUprightOnTheFlatAndHardlyDiffersWithThePapersControllers) {
   ASSERT_EQ(paper.outcome, run::Outcome::kWalked) << paper.reason;
   EXPECT_NEAR(paper.torso_roll_deg.largest_magnitude(), bare.torso_roll_deg.largest_magnitude(), 0.3);
   EXPECT_NEAR(paper.torso_pitch_deg.largest_magnitude(), bare.torso_pitch_deg.largest_magnitude(), 0.3);
+}
+
+// What little they give is bounded; the extended set's feedback damps the flat walk's own sway on purpose.
+TEST(FloorWalk, HardlyNeedsThePapersControllersOnTheFlat) {
+  const ObservedWalk walk = observe(scenario_of(FloorCase::kFlat, "paper"));
+  ASSERT_FALSE(walk.has_fallen);
+  double pelvis_m = 0.0;
+  double ankle_rad = 0.0;
+  double landing_m = 0.0;
+  for (const ObservedTick& tick : walk.ticks) {
+    if (tick.time_s < 0.0) continue;
+    const stabilizer::Adjustment& total = tick.total;
+    for (const double way_m : {total.pelvis_x_m, total.pelvis_y_m, total.pelvis_z_m, total.sway_m,
+                               total.sway_centre_x_m, total.sway_centre_y_m}) {
+      pelvis_m = std::max(pelvis_m, std::abs(way_m));
+    }
+    for (const Side side : kSides) {
+      ankle_rad = std::max(
+          {ankle_rad, std::abs(total.ankle_roll_rad[index(side)]), std::abs(total.ankle_pitch_rad[index(side)])});
+    }
+    landing_m = std::max({landing_m, std::abs(total.landing_x_m), std::abs(total.landing_y_m)});
+  }
+  EXPECT_LE(pelvis_m, 0.008);
+  EXPECT_LE(ankle_rad, 0.007) << "0.4 degrees";
+  EXPECT_LE(landing_m, 0.004);
 }
 
 class OnTilesOnASlope : public ::testing::TestWithParam<std::uint64_t> {};

@@ -69,9 +69,7 @@ std::string criteria_text(const Criteria& criteria) {
 std::string criteria_csv(const Criteria& criteria) {
   std::string text =
       "controller,beside,experiment,quantity,unit,samples_off,off,samples_on,on,change_percent,wanted,verdict,less,"
-      "compared,walks,"
-      "falls_off,"
-      "falls_on\n";
+      "more,compared,walks,falls_off,falls_on\n";
   for (const CriterionRow& row : criteria.rows) {
     text += fmt::format("{},{},\"{}\",\"{}\",{},{},{},{},{},{},{},{},{},{},{},{}\n", stabilizer::name(row.controller),
                         row.set, row.floor, row.what, row.unit, csv_of(row.off), csv_of(row.on),

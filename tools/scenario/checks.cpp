@@ -113,6 +113,16 @@ void check_learning(const Scenario& scenario, std::vector<Finding>& findings) {
        "learn over a whole cycle: the force of a shorter time misses its maximum"});
 }
 
+void check_measuring(const Scenario& scenario, std::vector<Finding>& findings) {
+  const double cycle_s = scenario.firmware.walk.cycle_s();
+  const double measuring_s = scenario.firmware.floor.payload.measuring_s;
+  if (scenario.robot != "khr2" || measuring_s >= cycle_s * (1.0 - 1e-9)) return;
+  findings.push_back(
+      {{"payload_shift.measuring_s", "gait.single_support_s", "gait.double_support_s"},
+       fmt::format("payload_shift.measuring_s is {}; expected at least one gait cycle, {:.4g} s", measuring_s, cycle_s),
+       "average over a whole cycle: force and ZMP of a shorter time are those of a part of a step"});
+}
+
 void check_foot_offset(const Scenario& scenario, std::vector<Finding>& findings) {
   const double offset_m = scenario.firmware.reflex.foot_offset_m;
   const double half_step_m = scenario.firmware.walk.half_step_m;
@@ -299,6 +309,7 @@ std::vector<Finding> check_relations(const Scenario& scenario) {
   check_soles(scenario, findings);
   check_joint_ranges(scenario, findings);
   check_learning(scenario, findings);
+  check_measuring(scenario, findings);
   check_foot_offset(scenario, findings);
   check_ride_through(scenario, findings);
   check_watchdog(scenario, findings);

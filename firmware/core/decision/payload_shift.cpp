@@ -61,8 +61,8 @@ void weigh(const PayloadShiftConfig& config, PayloadShiftState& state) noexcept 
   const double force_n = mean(state, state.force_sum_n);
   const double carried_n = carried_force_n(state);
   const double added_kg = (force_n - carried_n) / kGravity_m_s2;
-  const double here_m = state.target_m + config.first_offset_m;
-  move_to(config, state, here_m + balancing_offset_m(added_kg, config.lever_m, carried_n / kGravity_m_s2),
+  const double unanswered_m = state.from_m.position;  // the first move may have met the bound
+  move_to(config, state, unanswered_m + balancing_offset_m(added_kg, config.lever_m, carried_n / kGravity_m_s2),
           config.settling_s);
 }
 

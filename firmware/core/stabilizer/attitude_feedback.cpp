@@ -47,7 +47,7 @@ Adjustment step(const AttitudeFeedbackConfig& config, AttitudeFeedbackState& sta
     approach(share, carried[index(side)], low_pass_share(input.period_s, config.load_time_constant_s));
     AnkleAngles& angle = state.added_angle[index(side)];
     const double weight = state.activity * share;
-    // A roll to the left moves the ZMP to the right, a pitch down to the front.
+    // A turn to the right moves the ZMP to the right, one forward moves it to the front.
     const EdgeRoom room = edge_room(config.edge, input.sole, input.ankle[index(side)]);
     angle.roll_rad = turned(angle.roll_rad, weight * state.wanted.roll_rad, room.right, room.left,
                             config.max_rate_rad_s, input.period_s);

@@ -99,6 +99,15 @@ TEST(PayloadShift, StaysWithinItsBoundWhateverIsHung) {
   }
 }
 
+// What the bound cut off the first move must not push the pelvis forward under the load.
+TEST(PayloadShift, WeighsFromWhereItStoodWhenItsFirstMoveMeetsTheBound) {
+  Walk walk = learned();
+  walk.config.first_offset_m = 0.09;
+  walk.go(2.0, kWeight_n + 49.05, 0.02);
+  EXPECT_TRUE(std::all_of(walk.offset_m.begin(), walk.offset_m.end(), [](double x) { return x <= 0.0; }));
+  EXPECT_NEAR(walk.offset_m.back(), -1.0 / 61.0, 1e-9);
+}
+
 TEST(PayloadShift, AnswersASecondLoadOnTopOfTheFirst) {
   Walk walk = learned();
   walk.go(6.0, kWeight_n + 49.05, 0.02);

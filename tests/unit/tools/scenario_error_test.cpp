@@ -115,6 +115,8 @@ INSTANTIATE_TEST_SUITE_P(
                  "walk.toml:2:14: detector.learning_s is 4.7; expected at least one gait cycle, 4.8 s"},
         BadInput{"[gait]\nsingle_support_s = 2",
                  "walk.toml:2:20: detector.learning_s is 4.8; expected at least one gait cycle, 6 s"},
+        BadInput{"robot = \"khr2\"\n[payload_shift]\nmeasuring_s = 1.8",
+                 "walk.toml:3:15: payload_shift.measuring_s is 1.8; expected at least one gait cycle, 1.9 s"},
         BadInput{"[bus]\nwatchdog_s = 0.001",
                  "walk.toml:2:14: bus.watchdog_s is 0.001; expected more than one control period, 0.001 s"},
         BadInput{
