@@ -47,9 +47,10 @@ std::string pushed(int impulse_n_s) { return fmt::format("flat, {} N s to either
 /// Slow steps, the trunk's centre at the right: it stands on its right leg while the left one is lifted for 2 s, and
 /// the contact's release sets that one swinging on its flexible hip at the paper's 4.35 Hz.
 Overrides one_leg_rig() {
-  return walk_of(2.1, {"mass.trunk_com_body_m=[0.0, -0.1, 0.25]", "gait.sway_m=0.01", "gait.single_support_s=4",
-                       "detector.learning_s=12", "plausibility.foot_frozen_loaded_s=600",
-                       "plausibility.imu_frozen_s=600", "drive.hip_roll_stiffness_nm_per_rad=3600"});
+  return walk_of(2.1,
+                 {"mass.trunk_com_body_m=[0.0, -0.1, 0.25]", "gait.sway_m=0.01", "gait.single_support_s=4",
+                  "detector.learning_s=12", "payload_shift.measuring_s=12", "plausibility.foot_frozen_loaded_s=600",
+                  "plausibility.imu_frozen_s=600", "drive.hip_roll_stiffness_nm_per_rad=3600"});
 }
 
 std::vector<Experiment> all_experiments(const std::vector<std::uint64_t>& seeds) {
