@@ -67,9 +67,14 @@ def listening(*names: str, interface: str = "vcan0") -> Iterator[can.BusABC]:
 
 
 def next_frame(bus: can.BusABC) -> can.Message:
-    frame = bus.recv(PATIENCE_S)
-    assert frame is not None, "silence"
-    return frame
+    """The next one that the bus' filters let through. python-can binds its socket before it sets them: on a busy bus
+    others may stand in it already."""
+    wanted = {each["can_id"] for each in bus.filters or []}
+    while True:
+        frame = bus.recv(PATIENCE_S)
+        assert frame is not None, "silence"
+        if not wanted or frame.arbitration_id in wanted:
+            return frame
 
 
 def await_tick(tick: int) -> int:
