@@ -181,8 +181,9 @@ TEST(ReflexSequenceProperty, ATriggerHalfACycleLaterGivesTheMirroredFeet) {
       for (const Side side : kSides) {
         const geometry::Vector3 mine = a.feet[index(side)].position_body_m;
         const geometry::Vector3 theirs = b.feet[index(opposite(side))].position_body_m;
-        // A trigger in the very tick in which a foot lifts finds it on either side of that by rounding: 0.2 um.
-        RC_ASSERT((mine - geometry::Vector3(theirs.x(), -theirs.y(), theirs.z())).norm() < 1.0e-6);
+        // A trigger in the very tick in which a foot lifts finds it on either side of that by rounding: 12 um at most
+        // in 15,000 draws. Feet that are not mirrored are centimetres apart.
+        RC_ASSERT((mine - geometry::Vector3(theirs.x(), -theirs.y(), theirs.z())).norm() < 1.0e-4);
       }
     }
   }));
