@@ -1,3 +1,4 @@
+#include <array>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,8 @@
 namespace surefoot::scenario {
 
 namespace {
+
+constexpr std::array kSwayProfiles{"sine", "pendulum"};
 
 void append_payload_shift(std::vector<Field>& table, decision::PayloadShiftConfig& config) {
   const std::string prefix = "payload_shift.";
@@ -40,6 +43,13 @@ void append_floor_walk_fields(std::vector<Field>& table, Scenario& scenario) {
              {0.1, 2.0},
              "m",
              "height of the centre of mass above the soles, of the pendulum along x"},
+       choice_field("pattern.sway_profile", pattern.sway_profile, kSwayProfiles,
+                    "way the pelvis sways from foot to foot"),
+       Field{"pattern.com_share",
+             &pattern.com_share,
+             {0.1, 1.0},
+             "",
+             "share of the pelvis' sway that the centre of mass follows, of the profile pendulum"},
        Field{"pattern.pelvis_x_m", &pattern.pelvis_x_m, {-0.1, 0.1}, "m", "pelvis ahead of the middle of the feet"},
        Field{"pattern.shift_steps",
              &pattern.shift_steps,

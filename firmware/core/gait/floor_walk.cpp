@@ -21,6 +21,10 @@ void move_on(FloorWalkState& state, WalkEvent event) noexcept {
   state.time_in_stage_s = 0.0;
 }
 
+double natural_rate_rad_s(const FourFactorParameters& pattern) noexcept {
+  return std::sqrt(kGravity_m_s2 / pattern.com_height_m);
+}
+
 double shift_s(const WalkParameters& walk, const FourFactorParameters& pattern) noexcept {
   return pattern.shift_steps * walk.step_s() - 0.5 * walk.double_support_s;
 }
@@ -46,13 +50,23 @@ double sway_share(const WalkParameters& walk, const FourFactorParameters& patter
   }
 }
 
+/// Pelvis over the middle of the feet, without what fades it in and out.
+double full_sway_y_m(const WalkParameters& walk, const FourFactorParameters& pattern, const FloorWalkState& state,
+                     double added_m) noexcept {
+  if (pattern.sway_profile == SwayProfile::kSine) {
+    return sway_y_m(walk, walk.sway_m + added_m, state.moving, state.step_time_s);
+  }
+  const double share = 1.0 / pattern.com_share + added_m / state.com_y.amplitude_m();
+  return -lateral_sign(state.moving) * share * state.com_y.at(state.step_time_s).position;
+}
+
 bool is_in_air(const FloorWalkState& state, const WalkParameters& walk) noexcept {
   return decision::is_lifting(state.stage) ||
          (decision::is_lowering(state.stage) && state.step_time_s >= walk.double_support_s);
 }
 
 void plan_step(const WalkParameters& walk, const FourFactorParameters& pattern, FloorWalkState& state) noexcept {
-  const double natural_rate = std::sqrt(kGravity_m_s2 / pattern.com_height_m);
+  const double natural_rate = natural_rate_rad_s(pattern);
   const geometry::Vector3& stance_m = state.foothold_m[index(opposite(state.moving))];
   const PathPoint begin = state.steps == 0 ? PathPoint{pattern.pelvis_x_m, 0.0} : state.pelvis_x.at(walk.step_s());
   const double length_m = state.stops ? 0.0 : pattern.step_length_m;
@@ -124,6 +138,8 @@ WalkView advance(const WalkParameters& walk, const FourFactorParameters& pattern
       state.foothold_m[index(side)] = {0.0, lateral_sign(side) * walk.foot_offset_y_m, 0.0};
     }
     state.pelvis_x = PendulumPath({pattern.pelvis_x_m, 0.0}, {pattern.pelvis_x_m, 0.0}, walk.step_s(), 1.0);
+    state.com_y = LateralPendulum(walk.foot_offset_y_m, natural_rate_rad_s(pattern), walk.single_support_s,
+                                  walk.double_support_s);
   }
   state.stops = state.stops || stops;
   state.time_in_stage_s += period_s;
@@ -211,8 +227,7 @@ FootReference foot_reference(const WalkParameters& walk, const FourFactorParamet
 
   const double centre_y_m =
       state.centre_from_y_m + smooth(step_time_s / walk.step_s()) * (state.centre_to_y_m - state.centre_from_y_m);
-  const double sway_m =
-      sway_share(walk, pattern, state) * sway_y_m(walk, walk.sway_m + adjust.sway_m, state.moving, state.step_time_s);
+  const double sway_m = sway_share(walk, pattern, state) * full_sway_y_m(walk, pattern, state, adjust.sway_m);
   const geometry::Vector3 pelvis_m{
       state.pelvis_x.at(step_time_s).position_m + adjust.sway_centre_x_m + adjust.pelvis_x_m,
       centre_y_m + sway_m + adjust.sway_centre_y_m + adjust.pelvis_y_m, walk.body_height_m + adjust.pelvis_z_m};

@@ -29,6 +29,7 @@ struct FloorWalkState {
   geometry::Vector3 lifted_m = geometry::Vector3::Zero();            ///< where it was lifted
   std::optional<double> held_share;                                  ///< u at which the lowering was stopped
   PendulumPath pelvis_x{};
+  LateralPendulum com_y{};
   double centre_from_y_m = 0.0;  ///< middle of the sway, at the begin of the step and at its end
   double centre_to_y_m = 0.0;
   std::uint32_t steps = 0;  ///< begun so far

@@ -1,16 +1,27 @@
 #pragma once
 
+#include <cstdint>
+
+#include "firmware/core/gait/lateral_pendulum.hpp"
 #include "firmware/core/gait/walk_parameters.hpp"
 #include "firmware/core/joints.hpp"
 
 namespace surefoot::gait {
 
+/// How the pelvis sways from foot to foot.
+enum class SwayProfile : std::uint8_t {
+  kSine,      ///< as printed; the pressure centre swings past the foot's middle and back
+  kPendulum,  ///< `LateralPendulum`: the pressure centre rests under the foot
+};
+
 /// The walking pattern of KHR-2 beyond what every walk has (`WalkParameters`): one step lasts `step_s()`, the double
 /// support comes first. Source: Kim, Park, Oh 2007, section 3 and Table 3; start, stop and the pelvis' path along x are
 /// ours.
 struct FourFactorParameters {
-  double step_length_m = 0.0;      ///< d: distance of two successive footholds along x; 0 walks on the spot
-  double com_height_m = 0.67;      ///< of the pendulum that carries the pelvis along x, above the soles, > 0
+  double step_length_m = 0.0;  ///< d: distance of two successive footholds along x; 0 walks on the spot
+  double com_height_m = 0.67;  ///< of the pendulum that carries the pelvis along x, above the soles, > 0
+  SwayProfile sway_profile = SwayProfile::kSine;
+  double com_share = 0.8;          ///< of the pelvis' sway, that the centre of mass follows; in (0, 1]
   double pelvis_x_m = 0.0;         ///< pelvis ahead of the middle of the feet
   double shift_steps = 2.0;        ///< steps' time in which the sway grows before the first foot is lifted, >= 1
   double standing_s = 3.0;         ///< from power-up to the begin of the shift, > 0
