@@ -21,10 +21,11 @@ using stabilizer::PhaseSample;
 constexpr int kStepsBefore = 20;  // of the walk's own transient
 constexpr int kSteps = 20;
 
-scenario::Scenario flat_walk(double step_length_m) {
-  const std::array overrides{std::string("robot=khr2"), std::string("stabilizer.set=off"),
-                             fmt::format("pattern.step_length_m={}", step_length_m), std::string("payload=[]"),
-                             std::string("pattern.standing_s=2")};
+scenario::Scenario flat_walk(double step_length_m, const std::vector<std::string>& more) {
+  std::vector<std::string> overrides{"robot=khr2", "stabilizer.set=off",
+                                     fmt::format("pattern.step_length_m={}", step_length_m), "payload=[]",
+                                     "pattern.standing_s=2"};
+  overrides.insert(overrides.end(), more.begin(), more.end());
   return run::scheduled(scenario::load_default(overrides));
 }
 
@@ -41,8 +42,8 @@ struct Mean {
 
 }  // namespace
 
-NominalTable record_nominal(double step_length_m) {
-  const scenario::Scenario scenario = flat_walk(step_length_m);
+NominalTable record_nominal(double step_length_m, const std::vector<std::string>& overrides) {
+  const scenario::Scenario scenario = flat_walk(step_length_m, overrides);
   host::MemoryBus bus;
   host::FirmwareNode firmware(scenario.firmware);
   sim_hw::SimulatedRobot robot(scenario.sim, run::standing_pose(scenario.firmware));

@@ -117,7 +117,8 @@ void share_numbers(Scenario& scenario) {
   firmware.method = scenario.robot == "khr2" ? WalkMethod::kFloorWalk : WalkMethod::kPayloadWalk;
   firmware.floor.stabilizer.sway_amplitude.pattern_sway_m = firmware.walk.sway_m;
   firmware.floor.stabilizer.step_adjustment.com_height_m = firmware.floor.pattern.com_height_m;
-  firmware.floor.nominal = stabilizer::recorded_table(firmware.floor.pattern.step_length_m);
+  firmware.floor.nominal =
+      stabilizer::recorded_table(firmware.floor.pattern.sway_profile, firmware.floor.pattern.step_length_m);
 }
 
 void validate(const Scenario& scenario) {

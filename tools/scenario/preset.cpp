@@ -79,8 +79,11 @@ void set_khr2(const PresetNames& names, Scenario& scenario) {
   stabilizer::StabilizerConfig& controllers = scenario.firmware.floor.stabilizer;
   controllers.is_on = {};
   if (names.controllers == "paper") controllers.is_on = stabilizer::paper_set();
-  if (names.controllers == "extended") controllers.is_on = stabilizer::extended_set();
-  controllers.attitude_feedback.nominal_share = 0.5;  // halves the flat walk's own roll; 1 would leave it as it is
+  if (scenario.controllers == "extended") {
+    controllers.is_on = stabilizer::extended_set();
+    scenario.firmware.floor.pattern.sway_profile = gait::SwayProfile::kPendulum;
+  }
+  controllers.attitude_feedback.nominal_share = 0.45;  // damps the flat walk's own swing; 1 would leave it as it is
 }
 
 }  // namespace

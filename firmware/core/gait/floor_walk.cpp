@@ -57,7 +57,8 @@ double full_sway_y_m(const WalkParameters& walk, const FourFactorParameters& pat
     return sway_y_m(walk, walk.sway_m + added_m, state.moving, state.step_time_s);
   }
   const double share = 1.0 / pattern.com_share + added_m / state.com_y.amplitude_m();
-  return -lateral_sign(state.moving) * share * state.com_y.at(state.step_time_s).position;
+  return -lateral_sign(state.moving) * share *
+         state.com_y.at(state.step_time_s - 0.5 * (walk.double_support_s - pattern.transfer_s)).position;
 }
 
 bool is_in_air(const FloorWalkState& state, const WalkParameters& walk) noexcept {
@@ -138,8 +139,8 @@ WalkView advance(const WalkParameters& walk, const FourFactorParameters& pattern
       state.foothold_m[index(side)] = {0.0, lateral_sign(side) * walk.foot_offset_y_m, 0.0};
     }
     state.pelvis_x = PendulumPath({pattern.pelvis_x_m, 0.0}, {pattern.pelvis_x_m, 0.0}, walk.step_s(), 1.0);
-    state.com_y = LateralPendulum(walk.foot_offset_y_m, natural_rate_rad_s(pattern), walk.single_support_s,
-                                  walk.double_support_s);
+    state.com_y = LateralPendulum(walk.foot_offset_y_m, natural_rate_rad_s(pattern), walk.step_s() - pattern.transfer_s,
+                                  pattern.transfer_s);
   }
   state.stops = state.stops || stops;
   state.time_in_stage_s += period_s;

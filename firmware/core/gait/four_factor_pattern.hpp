@@ -22,6 +22,7 @@ struct FourFactorParameters {
   double com_height_m = 0.67;  ///< of the pendulum that carries the pelvis along x, above the soles, > 0
   SwayProfile sway_profile = SwayProfile::kSine;
   double com_share = 0.8;          ///< of the pelvis' sway, that the centre of mass follows; in (0, 1]
+  double transfer_s = 0.25;        ///< of the profile pendulum: in which the pressure centre goes from foot to foot
   double pelvis_x_m = 0.0;         ///< pelvis ahead of the middle of the feet
   double shift_steps = 2.0;        ///< steps' time in which the sway grows before the first foot is lifted, >= 1
   double standing_s = 3.0;         ///< from power-up to the begin of the shift, > 0

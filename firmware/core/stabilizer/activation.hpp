@@ -69,7 +69,7 @@ inline constexpr std::array<ActivationRow, kControllers> kActivation{{
     {Controller::kTorsoTilt, {false, false, false, false, true, false}},
     {Controller::kTiltOver, {false, false, true, false, false, false}},
     {Controller::kTiltLandingPosition, {false, false, false, true, true, false}},
-    {Controller::kAttitudeFeedback, {false, true, true, true, true, false}},
+    {Controller::kAttitudeFeedback, {true, true, true, true, true, false}},
     {Controller::kFootTilt, {false, true, true, true, true, false}},
     {Controller::kStepAdjustment, {false, false, true, true, true, false}},
     {Controller::kGroundSeeking, {false, false, true, true, true, false}},

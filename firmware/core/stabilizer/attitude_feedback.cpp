@@ -1,5 +1,7 @@
 #include "firmware/core/stabilizer/attitude_feedback.hpp"
 
+#include <cmath>
+
 #include "firmware/core/stabilizer/nominal_table.hpp"
 
 namespace surefoot::stabilizer {
@@ -41,6 +43,11 @@ Adjustment step(const AttitudeFeedbackConfig& config, AttitudeFeedbackState& sta
   approach(state.wanted, wanted, low_pass_share(input.period_s, config.smoothing_s));
 
   const PerSide<double> carried = load_share(input);
+  // Two feet that stand side by side hold the roll by their legs, which an ankle's turn would only bend.
+  const bool stands = input.walk.stage == decision::WalkStage::kStanding;
+  if (stands) state.stood_s += input.period_s;
+  const double standing_share = config.standing_pitch_share * std::exp(-state.stood_s / config.standing_fade_s);
+  const AnkleAngles share_of_wanted{stands ? 0.0 : 1.0, stands ? standing_share : 1.0};
   approach(state.activity, is_active ? 1.0 : 0.0, low_pass_share(input.period_s, config.fade_s));
   for (const Side side : kSides) {
     double& share = state.load_share[index(side)];
@@ -49,10 +56,10 @@ Adjustment step(const AttitudeFeedbackConfig& config, AttitudeFeedbackState& sta
     const double weight = state.activity * share;
     // A turn to the right moves the ZMP to the right, one forward moves it to the front.
     const EdgeRoom room = edge_room(config.edge, input.sole, input.ankle[index(side)]);
-    angle.roll_rad = turned(angle.roll_rad, weight * state.wanted.roll_rad, room.right, room.left,
-                            config.max_rate_rad_s, input.period_s);
-    angle.pitch_rad = turned(angle.pitch_rad, weight * state.wanted.pitch_rad, room.front, room.rear,
-                             config.max_rate_rad_s, input.period_s);
+    angle.roll_rad = turned(angle.roll_rad, weight * share_of_wanted.roll_rad * state.wanted.roll_rad, room.right,
+                            room.left, config.max_rate_rad_s, input.period_s);
+    angle.pitch_rad = turned(angle.pitch_rad, weight * share_of_wanted.pitch_rad * state.wanted.pitch_rad, room.front,
+                             room.rear, config.max_rate_rad_s, input.period_s);
   }
   return with_ankles(state.added_angle);
 }

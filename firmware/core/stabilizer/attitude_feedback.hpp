@@ -9,8 +9,10 @@ namespace surefoot::stabilizer {
 /// rates, from flat walking at this place of the step. Each foot takes its share of the load, so that the moment on the
 /// body does not change while the weight goes from one to the other. Source: ours.
 struct AttitudeFeedbackConfig {
-  double gain = 1.8;            ///< ankle angle per torso angle
-  double nominal_share = 1.0;   ///< of flat walking's own swing that is left to it; 1: silent on the flat
+  double gain = 1.8;                  ///< ankle angle per torso angle
+  double nominal_share = 1.0;         ///< of flat walking's own swing that is left to it; 1: silent on the flat
+  double standing_pitch_share = 0.3;  ///< of the turn in pitch, when the robot begins to stand on two feet
+  double standing_fade_s = 3.0;       ///< time constant with which that goes over to the upright pose
   double rate_gain_s = 0.05;    ///< D: seconds of the rate that count as angle; the smoothing takes 0.02 s of them back
   double max_angle_rad = 0.07;  ///< 4 degrees
   double max_rate_rad_s = 2.0;  ///< of the output, so that no step of an input passes
@@ -21,6 +23,7 @@ struct AttitudeFeedbackConfig {
 };
 
 struct AttitudeFeedbackState {
+  double stood_s = 0.0;                ///< on both feet
   double activity = 0.0;               ///< 0 faded out, 1 in force
   AnkleAngles wanted;                  ///< of a foot that carries all, low-passed
   PerSide<double> load_share{};        ///< low-passed

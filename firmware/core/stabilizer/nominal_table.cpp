@@ -15,6 +15,14 @@ constexpr NominalTable kForward{{{
 #include "firmware/core/stabilizer/nominal_forward.inc"
 }}};
 
+constexpr NominalTable kPendulumOnTheSpot{{{
+#include "firmware/core/stabilizer/nominal_on_the_spot_pendulum.inc"
+}}};
+
+constexpr NominalTable kPendulumForward{{{
+#include "firmware/core/stabilizer/nominal_forward_pendulum.inc"
+}}};
+
 }  // namespace
 
 PhaseSample mirrored(const PhaseSample& sample) noexcept {
@@ -45,11 +53,14 @@ PhaseSample NominalTable::at(Side stepping, double step_share) const noexcept {
   return stepping == Side::kLeft ? sample : mirrored(sample);
 }
 
-NominalTable recorded_table(double step_length_m) noexcept {
+NominalTable recorded_table(gait::SwayProfile sway, double step_length_m) noexcept {
+  const bool is_sine = sway == gait::SwayProfile::kSine;
+  const NominalTable& on_the_spot = is_sine ? kOnTheSpot : kPendulumOnTheSpot;
+  const NominalTable& forward = is_sine ? kForward : kPendulumForward;
   NominalTable table;
   for (std::size_t i = 0; i < NominalTable::kPlaces; ++i) {
     table.of_left_step[i] =
-        between(kOnTheSpot.of_left_step[i], kForward.of_left_step[i], step_length_m / kRecordedStepLength_m);
+        between(on_the_spot.of_left_step[i], forward.of_left_step[i], step_length_m / kRecordedStepLength_m);
   }
   return table;
 }

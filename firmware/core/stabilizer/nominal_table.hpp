@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 
+#include "firmware/core/gait/four_factor_pattern.hpp"
 #include "firmware/core/stabilizer/walk_view.hpp"
 
 namespace surefoot::stabilizer {
@@ -27,7 +28,7 @@ struct NominalTable {
 /// a + share (b - a), field by field.
 [[nodiscard]] PhaseSample between(const PhaseSample& a, const PhaseSample& b, double share) noexcept;
 
-/// The table of a walk with this step length, from the two that are recorded: on the spot and with 0.2 m.
-[[nodiscard]] NominalTable recorded_table(double step_length_m) noexcept;
+/// The table of a walk with this sway and step length, from the two that are recorded: on the spot and with 0.2 m.
+[[nodiscard]] NominalTable recorded_table(gait::SwayProfile, double step_length_m) noexcept;
 
 }  // namespace surefoot::stabilizer
