@@ -22,7 +22,7 @@ def test_the_command_for_people_lists_every_subcommand_and_exit_code():
 
 @pytest.mark.parametrize("subcommand", [
     "run", "sweep", "sweep-rows", "table", "triggers", "map", "replay", "bus", "keys", "states", "stages",
-    "doctor", "bench", "calibrate", "floor-table"
+    "doctor", "bench", "calibrate", "floor-table", "plan"
 ])  # fmt: skip
 def test_every_subcommand_explains_itself(subcommand: str):
     finished = surefoot(subcommand, "--help")

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from tools.plots import look
-from tools.plots.results import floor_traces, survival_map, survival_table
+from tools.plots.results import floor_traces, survival_map, survival_table, walking_plan
 from tools.plots.results.__main__ import FIGURES, main
 
 TIMES_S, MASSES_KG = [0.1, 0.2, 0.3], [5.0, 15.0]
@@ -48,6 +48,26 @@ def _walk(name: str, floor: str) -> dict:
     }  # fmt: skip
 
 
+def _planned(pattern: str, knee: bool = False) -> dict:
+    foot = {"x_m": [0.0, 0.1, 0.2], "z_m": [0.0] * 3, "pitch_deg": [0.0, 5.0, 0.0],
+            "ankle_x_m": [0.0, 0.1, 0.2], "ankle_z_m": [0.1] * 3}  # fmt: skip
+    gait = {"com_height_m": 0.5, "step_length_m": 0.2, "single_support_share": 0.6, "single_support_s": 0.8,
+            "double_support_s": 0.2}  # fmt: skip
+    return {
+        "pattern": pattern, "gait": gait, "margins": {"least_zmp_margin_m": None if knee else 0.02},
+        "time_s": [0.0, 0.5, 1.0], "com_x_m": [0.0, 0.1, 0.2], "com_x_m_s": [0.2] * 3, "com_x_m_s2": [0.0] * 3,
+        "ideal_zmp_m": [0.0, 0.1, 0.2], "real_zmp_m": [None] * 3 if knee else [0.0, 0.1, 0.2],
+        "support_rear_m": [-0.1, 0.0, 0.1], "support_front_m": [0.1, 0.2, 0.3],
+        "stance": foot, "swing": foot, "hip_height_m": 0.6,
+    }  # fmt: skip
+
+
+PLAN = {
+    "picture": "walking_plan", "robot": "khr2", "pattern": "rolled_in_turn", "toe_angle_deg": 8.0,
+    "heel_angle_deg": 8.0, "is_feasible": True, "broken": "none", "turns": [{}], "link_m": 0.3, "toe_m": 0.1,
+    "heel_m": 0.1, "before": _planned("rolled_in_turn", knee=True), "after": _planned("rolled_in_turn"),
+    "patterns": [_planned(name) for name in ("flat_feet", "rolled_together", "rolled_in_turn")],
+}  # fmt: skip
 AXES = {
     "columns": {"title": "load at, s", "labels": ["0.3", "0.9"]},
     "rows": {"title": "load, kg", "labels": ["5.0", "10.0", "15.0"]},
@@ -83,6 +103,8 @@ RESULTS = {
         "picture": "floor_traces", "seed": 1, "duration_s": 1.0,
         "walks": [_walk(name, floor) for name in ("off", "extended") for floor in ("flat", "both")],
     },
+    "plan": PLAN,
+    "plan, checked only": {**PLAN, "turns": [], "is_feasible": False, "broken": "zmp"},
 }  # fmt: skip
 
 
@@ -128,6 +150,18 @@ def test_floors_run_downwards_sets_to_the_right_and_a_fall_is_marked():
     roll, pitch, *_ = figure.axes[1].lines
     assert (roll.get_ydata()[-1], pitch.get_ydata()[-1]) == (1.0, 0.5)
     plt.close(figure)
+
+
+def test_a_plan_shows_what_was_before_only_where_something_was_changed():
+    look.apply()
+    titles = {
+        name: [axis.get_title(loc="left") for axis in walking_plan.figure(RESULTS[name]).axes]
+        for name in ("plan", "plan, checked only")
+    }
+    plt.close("all")
+    assert "ZMP before compensation: a knee is stretched" in titles["plan"]
+    assert not any("before" in title for title in titles["plan, checked only"])
+    assert sum(title.startswith("Pattern ") for title in titles["plan"]) == 3
 
 
 def test_a_picture_that_cannot_be_written_is_said(tmp_path: Path, monkeypatch, capsys):

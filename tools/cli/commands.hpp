@@ -12,6 +12,7 @@ void add_table(CLI::App& app, run::ExitCode& result);
 void add_triggers(CLI::App& app, run::ExitCode& result);
 void add_map(CLI::App& app, run::ExitCode& result);
 void add_floor_table(CLI::App& app, run::ExitCode& result);
+void add_plan(CLI::App& app, run::ExitCode& result);
 void add_nominal(CLI::App& app, run::ExitCode& result);
 void add_faults(CLI::App& app, run::ExitCode& result);
 void add_firmware(CLI::App& app, run::ExitCode& result);

@@ -50,6 +50,7 @@ int main(int argc, char** argv) {
   surefoot::cli::add_triggers(app, result);
   surefoot::cli::add_map(app, result);
   surefoot::cli::add_floor_table(app, result);
+  surefoot::cli::add_plan(app, result);
   surefoot::cli::add_nominal(app, result);
   surefoot::cli::add_faults(app, result);
   surefoot::cli::add_firmware(app, result);

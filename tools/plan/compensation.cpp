@@ -10,15 +10,6 @@ namespace {
 using planning::GaitFactors;
 using planning::StepConstraint;
 
-/// p and T_d for a share of double support in the step's time.
-bool settle_times(double double_support_share, GaitFactors& gait) {
-  gait.double_support_s = gait.single_support_s * double_support_share / (1.0 - double_support_share);
-  const std::optional<double> share =
-      planning::continuous_single_support_share(gait.com_height_m, gait.single_support_s, gait.double_support_s);
-  if (share) gait.single_support_share = *share;
-  return share.has_value();
-}
-
 /// @return what was changed; empty where nothing is left to change
 std::string slow_down(const CompensationRules& rules, const char* reason, GaitFactors& gait) {
   const double slower_s = rules.slower * gait.single_support_s;
@@ -49,16 +40,31 @@ std::string change_for(StepConstraint broken, const CompensationRules& rules, Ga
 
 }  // namespace
 
+bool settle_times(double double_support_share, planning::ComMethod method, GaitFactors& gait) {
+  gait.double_support_s = gait.single_support_s * double_support_share / (1.0 - double_support_share);
+  const std::optional<double> share =
+      planning::continuous_single_support_share(gait.com_height_m, gait.single_support_s, gait.double_support_s);
+  if (!share) return false;
+  gait.single_support_share = *share;
+  gait.double_support_s = joining_double_support_s(method, gait);
+  return true;
+}
+
+double joining_double_support_s(planning::ComMethod method, const GaitFactors& gait) {
+  return method == planning::ComMethod::kMirroredAcceleration ? planning::mirrored_double_support_s(gait)
+                                                              : planning::continuous_double_support_s(gait);
+}
+
 Compensation compensate(const planning::SagittalBody& body, const planning::StepLimits& limits,
                         const planning::StepPlan& wanted, const CompensationRules& rules) {
   Compensation result;
   planning::StepPlan plan = wanted;
   for (int i = 0; i < rules.most_iterations; ++i) {
     CompensationTurn turn;
-    const bool has_share = settle_times(rules.double_support_share, plan.gait);
+    const bool has_share = settle_times(rules.double_support_share, plan.com_method, plan.gait);
     turn.gait = plan.gait;
     if (has_share) {
-      turn.margins = check_step(body, limits, planning::PlannedStep(plan), plan.gait.com_height_m);
+      turn.margins = check_step(body, limits, planning::PlannedStep(plan), body.hip_height_m(plan.gait.com_height_m));
     } else {
       turn.margins.broken = StepConstraint::kDetermined;
     }

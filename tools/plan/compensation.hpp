@@ -32,8 +32,17 @@ struct Compensation {
   [[nodiscard]] bool is_feasible() const { return last().margins.broken == planning::StepConstraint::kNone; }
 };
 
+/// The length of double support with which a method joins the supports.
+[[nodiscard]] double joining_double_support_s(planning::ComMethod method, const planning::GaitFactors& gait);
+
+/// Sets p and T_d: p so that methods 1 and 2 join their supports with this share of double support in the step's time,
+/// T_d to what joins those of the method.
+/// @return false where no p does; the gait is then as good as it was
+bool settle_times(double double_support_share, planning::ComMethod method, planning::GaitFactors& gait);
+
 /// Changes height, durations and step length until every constraint holds (Al-Shuka et al. 2014, Fig. 7, whose boxes
-/// are lost: the rules are ours). The share of single support follows from T_d = T_s / 4 each time.
+/// are lost: the rules are ours). The share of single support follows from T_d = T_s / 4 each time; method 3 then takes
+/// its own T_d.
 ///
 /// @return the turns, at least one; the last one names the constraint that could not be met
 [[nodiscard]] Compensation compensate(const planning::SagittalBody&, const planning::StepLimits&,

@@ -79,6 +79,11 @@ std::string value_text(const Field& field) {
                     field.target);
 }
 
+std::string description(const std::string& key, const Field& field) {
+  return fmt::format("  {:<42} {:<8} {}\n{:>53} {}; default {}\n", key, kind_name(field), field.doc, "",
+                     expectation(field), value_text(field));
+}
+
 bool is_in_range(const Field& field, double value) noexcept {
   if (field.range.may_be_never && value == std::numeric_limits<double>::infinity()) return true;
   const bool above_min = field.range.is_open_below ? value > field.range.min : value >= field.range.min;

@@ -55,6 +55,10 @@ struct Field {
 /// The present value as TOML; doubles in the shortest form that reads back to the same bits.
 [[nodiscard]] std::string value_text(const Field& field);
 
+/// The two lines that tell people about a key: kind and meaning, what it takes and its present value.
+/// @param key  as it is shown
+[[nodiscard]] std::string description(const std::string& key, const Field& field);
+
 /// A double as TOML: always a float, never an integer.
 [[nodiscard]] std::string toml_number(double value);
 

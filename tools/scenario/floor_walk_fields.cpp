@@ -48,7 +48,7 @@ void append_floor_walk_fields(std::vector<Field>& table, Scenario& scenario) {
        Field{"pattern.com_share",
              &pattern.com_share,
              {0.1, 1.0},
-             "",
+             "1",
              "share of the pelvis' sway that the centre of mass follows, of the profile pendulum"},
        Field{"pattern.transfer_s",
              &pattern.transfer_s,

@@ -43,6 +43,8 @@ at_s = 1.2
   throw ScenarioError({{std::move(place), std::move(statement), std::move(remedy)}});
 }
 
+}  // namespace
+
 std::string read_text(const std::filesystem::path& file) {
   const std::string name = file.string();
   std::error_code error;
@@ -69,6 +71,8 @@ std::string read_text(const std::filesystem::path& file) {
   return text;
 }
 
+namespace {
+
 void refuse_deep_keys(const std::string& name, std::string_view text) {
   for (std::size_t line = 1; !text.empty(); ++line) {
     const std::size_t end = std::min(text.find('\n'), text.size());
@@ -80,6 +84,8 @@ void refuse_deep_keys(const std::string& name, std::string_view text) {
   }
 }
 
+}  // namespace
+
 Document parse(const std::string& name, std::string_view text) {
   refuse_deep_keys(name, text);
   try {
@@ -90,8 +96,6 @@ Document parse(const std::string& name, std::string_view text) {
          "correct this line; the file must be UTF-8 text, strings in it stand in quotes");
   }
 }
-
-}  // namespace
 
 Scenario load(const std::filesystem::path& file, std::span<const std::string> overrides) {
   return load_text(file.string(), read_text(file), overrides);

@@ -2,9 +2,11 @@
 
 #include <toml++/toml.h>
 
+#include <filesystem>
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tools/scenario/scenario.hpp"
@@ -21,6 +23,14 @@ struct Document {
   toml::table root;
   OverridePlaces overrides;
 };
+
+/// The text of a file that may be a scenario's.
+/// @throws ScenarioError where it cannot be read, or is no scenario by its size
+[[nodiscard]] std::string read_text(const std::filesystem::path& file);
+
+/// @param name  stands for the file in messages
+/// @throws ScenarioError with the place where it is not TOML
+[[nodiscard]] Document parse(const std::string& name, std::string_view text);
 
 /// Writes each "key=value" into the document.
 /// @throws ScenarioError with every override that cannot be written

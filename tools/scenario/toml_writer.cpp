@@ -29,10 +29,7 @@ void write_line(std::string& text, const Field& field) {
                  comment(field));
 }
 
-void describe(std::string& text, const std::string& key, const Field& field) {
-  fmt::format_to(std::back_inserter(text), "  {:<42} {:<8} {}\n{:>53} {}; default {}\n", key, kind_name(field),
-                 field.doc, "", expectation(field), value_text(field));
-}
+void describe(std::string& text, const std::string& key, const Field& field) { text += description(key, field); }
 
 /// The keys that the other robot has beside all of these.
 void describe_khr2_keys(std::string& text, std::string& table) {

@@ -51,11 +51,17 @@ struct Balance {
 
 }  // namespace
 
+AnklePoint ankle_of(const SagittalBody& body, const FootPoint& foot) noexcept {
+  return {foot.x_m + body.ankle_height_m * sine(foot.pitch_rad),
+          foot.z_m + body.ankle_height_m * cosine(foot.pitch_rad)};
+}
+
 std::array<double, 2> stretch(const SagittalBody& body, double hip_height_m, const StepInstant& instant) noexcept {
   std::array<double, 2> share{};
   const std::array feet{&instant.stance, &instant.swing};
   for (std::size_t i = 0; i < feet.size(); ++i) {
-    share[i] = std::hypot(instant.com_x_m.position - feet[i]->x_m.position, hip_height_m - feet[i]->z_m.position) /
+    const AnklePoint ankle = ankle_of(body, *feet[i]);
+    share[i] = std::hypot(instant.com_x_m.position - ankle.x_m.position, hip_height_m - ankle.z_m.position) /
                (2.0 * body.link_m);
   }
   return share;
@@ -69,7 +75,8 @@ std::optional<StepLoads> loads(const SagittalBody& body, double hip_height_m, co
   Balance balance;
   balance.add(body.trunk_kg, {hip.x, resting(hip_height_m + body.trunk_com_m)});
   for (const FootPoint* foot : {&instant.stance, &instant.swing}) {
-    const Point ankle{foot->x_m, foot->z_m};
+    const AnklePoint at = ankle_of(body, *foot);
+    const Point ankle{at.x_m, at.z_m};
     const Point knee = knee_of(body.link_m, hip, ankle);
     balance.add(body.thigh_kg, middle(hip, knee));
     balance.add(body.shank_kg, middle(knee, ankle));

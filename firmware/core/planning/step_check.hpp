@@ -39,7 +39,7 @@ struct StepMargins {
 };
 
 /// Looks at evenly spaced instants, just inside the borders of its supports.
-/// @param hip_height_m  constant; that of the centre of mass in the pendulum's model
+/// @param hip_height_m  above the floor, constant: `SagittalBody::hip_height_m` of the gait's H
 /// @param samples       in a step, 10 or more
 [[nodiscard]] StepMargins check_step(const SagittalBody&, const StepLimits&, const PlannedStep&, double hip_height_m,
                                      int samples = 500) noexcept;

@@ -12,6 +12,7 @@ from tools.plots.results import (
     survival_map,
     survival_table,
     trigger_delays,
+    walking_plan,
 )
 
 FIGURES = {
@@ -22,6 +23,7 @@ FIGURES = {
     "false_alarms": false_alarms,
     "floor_traces": floor_traces,
     "map": survival_map,
+    "walking_plan": walking_plan,
 }
 
 
