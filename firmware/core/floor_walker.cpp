@@ -10,13 +10,14 @@ using stabilizer::StabilizerInput;
 using stabilizer::WalkView;
 
 void read_legs_and_feet(const FloorWalkerConfig& config, const geometry::RobotGeometry& geometry,
-                        const SensorSnapshot& sensors, StabilizerInput& input) noexcept {
+                        const SensorSnapshot& sensors, const PerSide<double>& planned_foot_pitch_rad,
+                        StabilizerInput& input) noexcept {
   for (const Side side : kSides) {
     const std::size_t i = index(side);
     input.ankle[i] = estimation::ankle_load(geometry, sensors.foot[i], config.ankle_range);
     input.hip_roll_rate_rad_s[i] = sensors.leg_inertial[i].hip_roll_rate_rad_s;
     input.foot_roll_rad[i] = sensors.foot_inertial[i].roll_rad;
-    input.foot_pitch_rad[i] = sensors.foot_inertial[i].pitch_rad;
+    input.foot_pitch_rad[i] = sensors.foot_inertial[i].pitch_rad - planned_foot_pitch_rad[i];
     input.foot_lateral_force_m_s2[i] = sensors.foot_inertial[i].specific_force_y_foot_m_s2;
   }
 }
@@ -80,7 +81,7 @@ FloorWalkerOutput step(const FloorWalkerConfig& config, const gait::WalkParamete
   input.body_mass_kg = config.body_mass_kg + state.payload.added_mass_kg;
   input.sole = {
       .toe_m = geometry.sole_toe_m, .heel_m = geometry.sole_heel_m, .half_width_m = 0.5 * geometry.sole_width_m};
-  read_legs_and_feet(config, geometry, sensors, input);
+  read_legs_and_feet(config, geometry, sensors, state.planned_foot_pitch_rad, input);
   const estimation::Attitude torso = estimation::step(config.attitude, state.attitude, sensors.torso, period_s);
 
   input.walk = gait::advance(walk, config.pattern, state.walk, input.ankle, state.last, stops, period_s);
@@ -94,6 +95,8 @@ FloorWalkerOutput step(const FloorWalkerConfig& config, const gait::WalkParamete
   stabilizer::Adjustment adjusted = state.last;
   adjusted.pelvis_x_m += answer_payload(config, detector, answers, state, estimate, input, period_s);
   out.foot_reference = gait::foot_reference(walk, config.pattern, state.walk, adjusted);
+  out.planned_zmp_x_foot_m = gait::planned_zmp_x_foot_m(config.pattern, state.walk, geometry.ankle_height_m);
+  for (const Side side : kSides) state.planned_foot_pitch_rad[index(side)] = out.foot_reference[index(side)].pitch_rad;
   out.joint_reference = kinematics::inverse(geometry, out.foot_reference);
   turn_joints(state.last, out.joint_reference);
   return out;

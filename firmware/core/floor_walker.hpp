@@ -29,6 +29,7 @@ struct FloorWalkerState {
   estimation::AttitudeState attitude{};
   stabilizer::StabilizerState stabilizer{};
   stabilizer::Adjustment last{};
+  PerSide<double> planned_foot_pitch_rad{};  ///< of the tick before: the soles of a planned walk roll
   double standing_force_n = 0.0;  ///< filtered force at the end of the standing, loads that were answered included
   decision::PayloadShiftState payload{};
 };
@@ -39,6 +40,7 @@ struct FloorWalkerOutput {
   stabilizer::StabilizerOutput adjustment{};
   FootReference foot_reference{};
   JointReference joint_reference{};
+  double planned_zmp_x_foot_m = 0.0;  ///< of a planned walk, from the foothold of the foot that landed last
 };
 
 /// One tick: sensors, stages, controllers, feet, joints.

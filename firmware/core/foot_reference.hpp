@@ -5,11 +5,12 @@
 
 namespace surefoot {
 
-/// Where a foot frame shall be, seen from the body; the sole stays parallel to the body's floor.
+/// Where a foot frame shall be, seen from the body.
 struct FootPath {
   geometry::Vector3 position_body_m = geometry::Vector3::Zero();
   geometry::Vector3 velocity_body_m_s = geometry::Vector3::Zero();
   geometry::Vector3 acceleration_body_m_s2 = geometry::Vector3::Zero();
+  double pitch_rad = 0.0;  ///< of the sole against the body's floor, positive with the heel up; 0: parallel
 };
 
 /// Reference for both feet at one instant (X, Y, Z with index r or l in El-Kahlout 2003).

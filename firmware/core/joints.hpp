@@ -17,9 +17,7 @@ using PerSide = std::array<T, 2>;
 
 [[nodiscard]] constexpr std::size_t index(Side side) noexcept { return static_cast<std::size_t>(side); }
 
-[[nodiscard]] constexpr Side opposite(Side side) noexcept {
-  return side == Side::kRight ? Side::kLeft : Side::kRight;
-}
+[[nodiscard]] constexpr Side opposite(Side side) noexcept { return side == Side::kRight ? Side::kLeft : Side::kRight; }
 
 /// +1 on the left, -1 on the right: the sign of the body's y axis (y points left).
 [[nodiscard]] constexpr double lateral_sign(Side side) noexcept { return side == Side::kLeft ? 1.0 : -1.0; }
@@ -37,7 +35,7 @@ using LegVector = std::array<double, kJointsPerLeg>;
 [[nodiscard]] constexpr std::size_t index(LegJoint joint) noexcept { return static_cast<std::size_t>(joint); }
 
 /// Names as they appear in logs, plots and messages.
-inline constexpr std::array<const char*, kJointsPerLeg> kLegJointNames{
-    "hip_yaw", "hip_roll", "hip_pitch", "knee_pitch", "ankle_pitch", "ankle_roll"};
+inline constexpr std::array<const char*, kJointsPerLeg> kLegJointNames{"hip_yaw",    "hip_roll",    "hip_pitch",
+                                                                       "knee_pitch", "ankle_pitch", "ankle_roll"};
 
 }  // namespace surefoot

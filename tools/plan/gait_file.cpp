@@ -20,7 +20,7 @@ std::string gait_text(const PlanResult& result, int steps) {
   const planning::StepMargins& margins = result.after.margins;
   std::string text = fmt::format(
       "\n# {:.3f} m/s; hip {:.3f} m above the floor; planned: ZMP margin {:.0f} mm, friction {:.2f}, legs stretched to "
-      "{:.1f} %\n[[gait]]\n",
+      "{:.1f} %\n[[planned_gait]]\n",
       gait.speed_m_s(), result.request.body.hip_height_m(gait.com_height_m), 1e3 * margins.least_zmp_margin_m,
       margins.greatest_friction, 100.0 * margins.greatest_stretch);
   if (steps > 0) text += fmt::format("steps = {}\n", steps);

@@ -116,7 +116,7 @@ void check_learning(const Scenario& scenario, std::vector<Finding>& findings) {
 void check_measuring(const Scenario& scenario, std::vector<Finding>& findings) {
   const double cycle_s = scenario.firmware.walk.cycle_s();
   const double measuring_s = scenario.firmware.floor.payload.measuring_s;
-  if (scenario.robot != "khr2" || measuring_s >= cycle_s * (1.0 - 1e-9)) return;
+  if (!walks_over_floors(scenario) || measuring_s >= cycle_s * (1.0 - 1e-9)) return;
   findings.push_back(
       {{"payload_shift.measuring_s", "gait.single_support_s", "gait.double_support_s"},
        fmt::format("payload_shift.measuring_s is {}; expected at least one gait cycle, {:.4g} s", measuring_s, cycle_s),
@@ -299,6 +299,7 @@ std::vector<Finding> check_ranges(const Scenario& scenario) {
   check_elements("push", checked.sim.pushes, sim_hw::kMaxPushes, findings);
   check_elements("patch", checked.sim.terrain.patches, sim_hw::kMaxPatches, findings);
   check_elements("fault", checked.sim.faults, sim_hw::kMaxFaults, findings);
+  check_elements("planned_gait", checked.gaits, kMaxPlannedGaits, findings);
   return findings;
 }
 

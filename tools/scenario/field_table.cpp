@@ -29,7 +29,7 @@ std::vector<Field> fields(Scenario& scenario) {
   append_firmware_fields(table, scenario);
   append_safety_fields(table, scenario);
   append_simulator_fields(table, scenario);
-  if (scenario.robot == "khr2") append_floor_walk_fields(table, scenario);
+  if (walks_over_floors(scenario)) append_floor_walk_fields(table, scenario);
   table.insert(table.end(), {Field{"limits.max_abs_pitch_deg",
                                    &scenario.limits.max_abs_pitch_deg,
                                    {0.0, 90.0},
@@ -88,7 +88,7 @@ std::string element_key(std::string_view array, std::size_t place, std::string_v
 }
 
 bool is_array_of_tables(std::string_view key) {
-  return key == "payload" || key == "push" || key == "patch" || key == "fault";
+  return key == "payload" || key == "push" || key == "patch" || key == "fault" || key == "planned_gait";
 }
 
 }  // namespace surefoot::scenario

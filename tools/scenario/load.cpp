@@ -113,16 +113,39 @@ Scenario load_text(const std::string& name, std::string_view text, std::span<con
 
 Scenario load_default(std::span<const std::string> overrides) { return load_text("main job", kMainJob, overrides); }
 
+bool walks_over_floors(const Scenario& scenario) { return scenario.robot == "khr2" || !scenario.gaits.empty(); }
+
+namespace {
+
+/// The firmware's walk has the durations of the first gait, and the sizes of the largest one.
+void share_gaits(Scenario& scenario) {
+  ControllerConfig& firmware = scenario.firmware;
+  gait::PlannedGaits& gaits = firmware.floor.pattern.gaits;
+  gaits = {};
+  for (const PlannedGaitConfig& config : scenario.gaits) {
+    if (gaits.count == gaits.gait.size()) break;  // one too many is kept for the check of their number
+    gaits.gait[gaits.count++] = planned_gait(config, firmware.geometry);
+  }
+  if (gaits.is_empty()) return;
+  const planning::GaitFactors& first = gaits.gait[0].plan.gait;
+  firmware.walk.single_support_s = first.single_support_s;
+  firmware.walk.double_support_s = first.double_support_s;
+  firmware.floor.nominal = {};
+}
+
+}  // namespace
+
 void share_numbers(Scenario& scenario) {
   scenario.sim.geometry = scenario.firmware.geometry;
   scenario.sim.control_period_s = scenario.firmware.period_s;
   scenario.firmware.servo.torque_limit_nm = scenario.firmware.gate.torque_limit_nm;
   ControllerConfig& firmware = scenario.firmware;
-  firmware.method = scenario.robot == "khr2" ? WalkMethod::kFloorWalk : WalkMethod::kPayloadWalk;
+  firmware.method = walks_over_floors(scenario) ? WalkMethod::kFloorWalk : WalkMethod::kPayloadWalk;
   firmware.floor.stabilizer.sway_amplitude.pattern_sway_m = firmware.walk.sway_m;
   firmware.floor.stabilizer.step_adjustment.com_height_m = firmware.floor.pattern.com_height_m;
   firmware.floor.nominal =
       stabilizer::recorded_table(firmware.floor.pattern.sway_profile, firmware.floor.pattern.step_length_m);
+  share_gaits(scenario);
 }
 
 void validate(const Scenario& scenario) {

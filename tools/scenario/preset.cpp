@@ -23,7 +23,7 @@ void set_elkahlout(const PresetNames& names, Scenario& scenario) {
 
 /// Lengths, masses' sum and the pattern as Kim, Park, Oh 2007 print them; the split of the mass, the heights of its
 /// centres, drives and contact are assumptions under which the printed pattern walks.
-void set_khr2(const PresetNames& names, Scenario& scenario) {
+void set_khr2(Scenario& scenario) {
   geometry::RobotGeometry& robot = scenario.firmware.geometry;
   robot.hip_x_body_m = 0.0;
   robot.hip_y_body_m = 0.071;
@@ -68,14 +68,38 @@ void set_khr2(const PresetNames& names, Scenario& scenario) {
   walk.sway_m = 0.060;
   walk.body_height_m = 0.65;
   walk.swing_height_m = 0.04;
+  scenario.firmware.floor.pattern.standing_s = 12.0;  // on a slope the torso needs that long to come upright
+}
 
+/// El-Kahlout's robot on KHR-2's stages and controllers, its boards as position servos.
+void set_planned_elkahlout(Scenario& scenario) {
+  gait::WalkParameters& walk = scenario.firmware.walk;
+  walk.reference_x_body_m = 0.0;
+  walk.half_step_m = 0.075;
+  walk.sway_m = 0.06;
+  walk.body_height_m = 0.55;
+  FloorWalkerConfig& floor = scenario.firmware.floor;
+  floor.pattern.standing_s = 3.0;
+  floor.pattern.com_height_m = 0.67;
+  floor.pattern.pelvis_x_m = 0.034;  // puts the mass over the ankles
+}
+
+/// Long enough for cycles of up to 4 s.
+void set_planned_walk(Scenario& scenario) {
+  scenario.gaits.resize(1);
+  scenario.firmware.floor.payload.measuring_s = 4.0;
+  scenario.firmware.detector.learning_s = 8.0;
+  scenario.firmware.detector.relearning_s = 8.0;
+}
+
+/// What every walk with KHR-2's stages begins with.
+void set_floor_walk(const PresetNames& names, Scenario& scenario) {
   // One landing on a bad tile, 1.9 times the weight, must not look like a load: with 0.1 s it does, by 66 N, with
   // 0.3 s it stays within 18 N of what was learned (tiles on the slope, seeds 1 to 20).
   scenario.firmware.estimator.force_time_constant_s = 0.3;
   scenario.firmware.detector = {
       .warm_up_s = 0.0, .learning_s = 3.8, .margin_n = 25.0, .relearning_s = 3.8, .resume_margin_n = 25.0};
 
-  scenario.firmware.floor.pattern.standing_s = 12.0;  // on a slope the torso needs that long to come upright
   stabilizer::StabilizerConfig& controllers = scenario.firmware.floor.stabilizer;
   controllers.is_on = {};
   if (names.controllers == "paper") controllers.is_on = stabilizer::paper_set();
@@ -89,7 +113,11 @@ void set_khr2(const PresetNames& names, Scenario& scenario) {
 }  // namespace
 
 PresetNames preset_names(const Scenario& scenario) {
-  return {.robot = scenario.robot, .plant = scenario.plant, .controllers = scenario.controllers};
+  return {.robot = scenario.robot,
+          .plant = scenario.plant,
+          .controllers = scenario.controllers,
+          .reflex = "original",
+          .has_planned_gaits = !scenario.gaits.empty()};
 }
 
 Scenario preset(const PresetNames& names) {
@@ -98,7 +126,12 @@ Scenario preset(const PresetNames& names) {
   scenario.robot = is_khr2 ? "khr2" : "elkahlout";
   scenario.plant = is_khr2 || names.plant == "nominal" ? "nominal" : "thesis";
   scenario.controllers = names.controllers == "off" || names.controllers == "paper" ? names.controllers : "extended";
-  is_khr2 ? set_khr2(names, scenario) : set_elkahlout(names, scenario);
+  is_khr2 ? set_khr2(scenario) : set_elkahlout(names, scenario);
+  if (is_khr2 || names.has_planned_gaits) set_floor_walk(names, scenario);
+  if (names.has_planned_gaits) {
+    if (!is_khr2) set_planned_elkahlout(scenario);
+    set_planned_walk(scenario);
+  }
   share_numbers(scenario);
   return scenario;
 }

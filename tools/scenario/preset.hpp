@@ -17,6 +17,7 @@ struct PresetNames {
   std::string plant = "thesis";          ///< of `elkahlout`; `khr2` has one plant
   std::string controllers = "extended";  ///< stabilizer.set, of `khr2`
   std::string reflex = "original";       ///< reflex.method
+  bool has_planned_gaits = false;        ///< the walk is planned: any robot walks it with KHR-2's controllers
 };
 
 /// The names that a scenario holds.

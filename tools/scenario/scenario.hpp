@@ -6,9 +6,11 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "firmware/core/controller.hpp"
 #include "sim_hw/plant_config.hpp"
+#include "tools/scenario/planned_gait.hpp"
 #include "tools/scenario/scenario_error.hpp"
 
 namespace surefoot::scenario {
@@ -49,7 +51,11 @@ struct Scenario {
   sim_hw::SimConfig sim{};
   VerdictLimits limits{};
   TelemetryOptions telemetry{};
+  std::vector<PlannedGaitConfig> gaits;  ///< walked one after the other; none: each robot's own pattern
 };
+
+/// Whether the firmware walks with KHR-2's stages and controllers: KHR-2 does, and whoever walks planned gaits.
+[[nodiscard]] bool walks_over_floors(const Scenario& scenario);
 
 /// Most loads one run takes.
 inline constexpr std::size_t kMaxPayloads = 16;

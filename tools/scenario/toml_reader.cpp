@@ -24,9 +24,11 @@ class Reader : private FieldReader {
     names.plant = text("plant", names.plant);
     names.controllers = text("stabilizer.set", names.controllers);
     names.reflex = text("reflex.method", names.reflex);
+    const toml::array* gaits = document.root["planned_gait"].as_array();
+    names.has_planned_gaits = gaits != nullptr && !gaits->empty();
     defaults_ = preset(names);
     scenario_ = defaults_;
-    know(fields(scenario_), {"payload", "push", "patch", "fault"});
+    know(fields(scenario_), {"payload", "push", "patch", "fault", "planned_gait"});
   }
 
   Scenario read() {
@@ -49,6 +51,7 @@ class Reader : private FieldReader {
     if (key == "payload") read_elements(key, node, scenario_.sim.payloads, kMaxPayloads);
     if (key == "push") read_elements(key, node, scenario_.sim.pushes, sim_hw::kMaxPushes);
     if (key == "patch") read_elements(key, node, scenario_.sim.terrain.patches, sim_hw::kMaxPatches);
+    if (key == "planned_gait") read_elements(key, node, scenario_.gaits, kMaxPlannedGaits);
     if (key == "fault") read_elements(key, node, scenario_.sim.faults, sim_hw::kMaxFaults);
     return true;
   }

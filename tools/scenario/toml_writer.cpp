@@ -36,7 +36,9 @@ void describe_khr2_keys(std::string& text, std::string& table) {
   Scenario khr2 = preset({.robot = "khr2"});
   std::vector<Field> its_own;
   append_floor_walk_fields(its_own, khr2);
-  text += "\nWith robot = \"khr2\" alone, which also has other defaults above (its effective scenario shows them):\n";
+  text +=
+      "\nWith robot = \"khr2\" or a [[planned_gait]] alone; khr2 also has other defaults above (its effective scenario "
+      "shows them):\n";
   for (const Field& field : its_own) {
     if (table_of(field.key) != table) {
       table = table_of(field.key);
@@ -56,6 +58,7 @@ std::string to_toml(const Scenario& scenario) {
   if (written.sim.pushes.empty()) text += "push = []\n";
   if (written.sim.terrain.patches.empty()) text += "patch = []\n";
   if (written.sim.faults.empty()) text += "fault = []\n";
+  if (written.gaits.empty()) text += "planned_gait = []\n";
   for (const Field& field : fields(written)) {
     if (table_of(field.key) != table) {
       table = table_of(field.key);
@@ -78,6 +81,10 @@ std::string to_toml(const Scenario& scenario) {
   for (sim_hw::FaultConfig& fault : written.sim.faults) {
     text += "\n[[fault]]\n";
     for (const Field& field : fields(fault)) write_line(text, field);
+  }
+  for (PlannedGaitConfig& gait : written.gaits) {
+    text += "\n[[planned_gait]]\n";
+    for (const Field& field : fields(gait)) write_line(text, field);
   }
   return text;
 }
@@ -113,6 +120,11 @@ std::string describe_keys() {
   text += fmt::format("\n[[fault]], up to {} of them; --set fault.0.kind=corrupt and so on, as with payloads\n",
                       sim_hw::kMaxFaults);
   for (const Field& field : fields(fault)) describe(text, "fault.N." + field.key, field);
+  PlannedGaitConfig gait;
+  text += fmt::format(
+      "\n[[planned_gait]], up to {} of them, walked one after the other by either robot; surefoot plan writes them\n",
+      kMaxPlannedGaits);
+  for (const Field& field : fields(gait)) describe(text, "planned_gait.N." + field.key, field);
   return text;
 }
 

@@ -30,7 +30,10 @@ struct FloorWalkState {
   std::optional<double> held_share;                                  ///< u at which the lowering was stopped
   PendulumPath pelvis_x{};
   LateralPendulum com_y{};
-  double centre_from_y_m = 0.0;  ///< middle of the sway, at the begin of the step and at its end
+  PlannedStride stride{};          ///< of a planned walk
+  double stride_origin_x_m = 0.0;  ///< walking frame
+  ScalarMotion sway_join_m;        ///< what its sway lacks at the begin of the stride, towards the foot that carries
+  double centre_from_y_m = 0.0;    ///< middle of the sway, at the begin of the step and at its end
   double centre_to_y_m = 0.0;
   std::uint32_t steps = 0;  ///< begun so far
   bool is_set_up = false;
@@ -52,6 +55,12 @@ struct FloorWalkState {
 /// moving foot is, for it stays there when it lands.
 [[nodiscard]] FootReference foot_reference(const WalkParameters&, const FourFactorParameters&, FloorWalkState&,
                                            const stabilizer::Adjustment&) noexcept;
+
+/// Pressure centre of a planned walk as its plan has it, x from the foothold of the foot that landed last, on the
+/// floor; 0 where nothing is planned.
+/// @param ankle_height_m  of the axes above the soles
+[[nodiscard]] double planned_zmp_x_foot_m(const FourFactorParameters&, const FloorWalkState&,
+                                          double ankle_height_m) noexcept;
 
 /// From power-up to the first lift of a foot.
 [[nodiscard]] double start_up_s(const WalkParameters&, const FourFactorParameters&) noexcept;

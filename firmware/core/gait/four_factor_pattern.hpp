@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "firmware/core/gait/lateral_pendulum.hpp"
+#include "firmware/core/gait/planned_stride.hpp"
 #include "firmware/core/gait/walk_parameters.hpp"
 #include "firmware/core/joints.hpp"
 
@@ -28,6 +29,7 @@ struct FourFactorParameters {
   double standing_s = 3.0;         ///< from power-up to the begin of the shift, > 0
   double longest_wait_s = 1.0;     ///< a step waits no longer for its contact
   double height_settling_s = 0.3;  ///< time constant with which a foot that landed high or low comes back to level
+  PlannedGaits gaits{};            ///< if there are any they are walked instead, with a pendulum's sway
 };
 
 /// Where the pelvis' sway is: y of the pelvis over the middle of the feet, positive to the left.

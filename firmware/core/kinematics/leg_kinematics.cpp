@@ -67,6 +67,15 @@ Vector3 hip_from_ankle_body_m(const RobotGeometry& geometry, Side side, const Ve
   return geometry.hip_body_m(side) - position_body_m.unaryExpr(bounded) - geometry.ankle_height_m * sole_up_body;
 }
 
+FootPose pitched(const FootPath& foot) noexcept {
+  const Turn pitch = Turn::of(foot.pitch_rad);
+  FootPose pose;
+  pose.position_body_m = foot.position_body_m;
+  pose.rotation_body_from_foot.col(0) = about_y(pitch, Vector3::UnitX());
+  pose.rotation_body_from_foot.col(2) = about_y(pitch, Vector3::UnitZ());
+  return pose;
+}
+
 }  // namespace
 
 FootPose forward(const RobotGeometry& geometry, Side side, const LegVector& angle_rad) noexcept {
@@ -112,6 +121,13 @@ JointReference inverse(const RobotGeometry& geometry, const FootReference& feet)
   JointReference joints;
   for (const Side side : kSides) {
     const FootPath& foot = feet[index(side)];
+    if (foot.pitch_rad != 0.0) {
+      const InverseResult leg = inverse(geometry, side, pitched(foot));
+      joints.angle_rad[index(side)] = leg.angle_rad;
+      joints.rate_rad_s[index(side)] = inverse_rates(geometry, leg.angle_rad, foot.velocity_body_m_s);
+      joints.is_reachable = joints.is_reachable && leg.is_reachable;
+      continue;
+    }
     const LowerLeg leg =
         solve_lower_leg(geometry, hip_from_ankle_body_m(geometry, side, foot.position_body_m, Vector3::UnitZ()));
     // A sole parallel to the body's floor: no yaw, and the hip undoes roll and pitch of what hangs below it.

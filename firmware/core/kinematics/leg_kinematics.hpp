@@ -33,7 +33,8 @@ struct InverseResult {
 [[nodiscard]] LegVector inverse_rates(const geometry::RobotGeometry&, const LegVector& angle_rad,
                                       const geometry::Vector3& velocity_body_m_s) noexcept;
 
-/// Both legs: angles and rates for a foot reference with soles parallel to the body's floor.
+/// Both legs: angles for a foot reference, and rates as if its soles did not turn, which those parallel to the body's
+/// floor do not.
 [[nodiscard]] JointReference inverse(const geometry::RobotGeometry&, const FootReference&) noexcept;
 
 }  // namespace surefoot::kinematics

@@ -145,7 +145,7 @@ TEST(GaitFile, HoldsTheGaitsOneAfterTheOther) {
   const std::vector<PlanResult> gaits = library(request, {0.1, 0.2}, false);
   const std::string text = gait_file_text(gaits, 20);
   EXPECT_THAT(text, HasSubstr("robot = \"khr2\"\n"));
-  const std::size_t second = text.find("[[gait]]", text.find("[[gait]]") + 1);
+  const std::size_t second = text.find("[[planned_gait]]", text.find("[[gait]]") + 1);
   ASSERT_NE(second, std::string::npos);
   EXPECT_LT(text.find("steps = 20"), second);
   EXPECT_EQ(text.find("steps = 20", second), std::string::npos) << "the last one is walked to the end";
