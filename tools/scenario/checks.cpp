@@ -11,6 +11,7 @@
 #include "sim_hw/nodes/command_queue.hpp"
 #include "tools/scenario/bus_traffic.hpp"
 #include "tools/scenario/field_table.hpp"
+#include "tools/scenario/planned_gait_checks.hpp"
 #include "tools/scenario/preset.hpp"
 
 namespace surefoot::scenario {
@@ -306,7 +307,7 @@ std::vector<Finding> check_ranges(const Scenario& scenario) {
 std::vector<Finding> check_relations(const Scenario& scenario) {
   std::vector<Finding> findings;
   check_physics_step(scenario, findings);
-  check_reach(scenario, findings);
+  scenario.gaits.empty() ? check_reach(scenario, findings) : check_planned_gaits(scenario, findings);
   check_soles(scenario, findings);
   check_joint_ranges(scenario, findings);
   check_learning(scenario, findings);
