@@ -64,8 +64,8 @@ double sway_share(const WalkParameters& walk, const FourFactorParameters& patter
       return 0.0;
     case WalkStage::kShifting:
       return smooth(1.0 + state.step_time_s / shift_s(walk, pattern));
-    case WalkStage::kLanding:
-      return 1.0 - smooth(state.time_in_stage_s / walk.step_s());
+    case WalkStage::kLanding:  // a planned walk comes to rest by itself
+      return pattern.gaits.is_empty() ? 1.0 - smooth(state.time_in_stage_s / walk.step_s()) : 1.0;
     default:
       return 1.0;
   }
@@ -79,8 +79,9 @@ double full_sway_y_m(const WalkParameters& walk, const FourFactorParameters& pat
   }
   const double share = 1.0 / pattern.com_share + added_m / state.com_y.amplitude_m();
   const double earlier_s = 0.5 * (walk.double_support_s - transfer_s(walk, pattern));
-  const double com_y_m = state.com_y.at(state.step_time_s - earlier_s).position +
-                         quintic(state.sway_join_m, 0.0, walk.step_s(), state.step_time_s).position;
+  const bool comes_to_rest = !pattern.gaits.is_empty() && state.stage == WalkStage::kLanding;
+  const double own_y_m = comes_to_rest ? 0.0 : state.com_y.at(state.step_time_s - earlier_s).position;
+  const double com_y_m = own_y_m + quintic(state.sway_join_m, 0.0, walk.step_s(), state.step_time_s).position;
   return -lateral_sign(state.moving) * share * com_y_m;
 }
 
@@ -127,11 +128,14 @@ void plan_stride(const WalkParameters& before, const FourFactorParameters& patte
   walk.single_support_s = plan.gait.single_support_s;
   walk.double_support_s = plan.gait.double_support_s;
   state.com_y = lateral_pendulum(walk, pattern);
-  state.sway_join_m = ScalarMotion{} - sway_before.at(before.step_s()) - state.com_y.at(0.0);
+  const ScalarMotion own = state.stops ? ScalarMotion{} : state.com_y.at(0.0);
+  state.sway_join_m = ScalarMotion{} - sway_before.at(before.step_s()) - own;
 }
 
 void begin_step(const WalkParameters& walk, const FourFactorParameters& pattern, FloorWalkState& state) noexcept {
-  state.step_time_s = std::max(0.0, state.step_time_s - walk.step_s());
+  // The four-factor walk begins its first step on the tick; a planned one keeps what the tick is late.
+  const bool goes_on = state.steps == 0 && !pattern.gaits.is_empty();
+  if (!goes_on) state.step_time_s = std::max(0.0, state.step_time_s - walk.step_s());
   state.clock_rate = 1.0;
   state.waited_s = 0.0;
   state.held_share.reset();

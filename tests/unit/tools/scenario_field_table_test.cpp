@@ -167,6 +167,8 @@ TEST(ScenarioFields, EveryMemberOfTheConfigurationHasAKey) {
   coverage.add(scenario.sim.time_zero_s);                 // the runner's
   coverage.add(scenario.firmware.method);                 // follows the robot
   FloorWalkerConfig& floor = scenario.firmware.floor;
+  coverage.add(scenario.gaits);
+  coverage.add(floor.pattern.gaits);                             // share_numbers, from [[planned_gait]]
   coverage.add(floor.nominal);                                   // share_numbers, from recorded tables
   coverage.add(floor.stabilizer.sway_amplitude.pattern_sway_m);  // share_numbers
   coverage.add(floor.stabilizer.step_adjustment.com_height_m);   // share_numbers
@@ -177,6 +179,11 @@ TEST(ScenarioFields, EveryMemberOfTheConfigurationHasAKey) {
   Coverage payload_coverage(payload);
   for (const Field& field : fields(payload)) payload_coverage.add(field);
   EXPECT_LT(payload_coverage.longest_gap(), 8U);
+
+  PlannedGaitConfig gait;
+  Coverage gait_coverage(gait);
+  for (const Field& field : fields(gait)) gait_coverage.add(field);
+  EXPECT_LT(gait_coverage.longest_gap(), 8U);
 
   sim_hw::PushConfig push;
   Coverage push_coverage(push);
