@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <charconv>
 #include <functional>
@@ -17,6 +18,7 @@
 #include "tools/plan/plan_text.hpp"
 #include "tools/plan/samples.hpp"
 #include "tools/plan/speeds.hpp"
+#include "tools/plan/walked.hpp"
 #include "tools/run/run_folder.hpp"
 #include "tools/scenario/scenario_error.hpp"
 
@@ -37,6 +39,7 @@ struct PlanArguments {
   std::optional<double> speed_m_s;
   bool chooses_step = false;
   std::string speeds;
+  std::vector<std::string> walks;
   int steps = 20;
   bool prints_keys = false;
 
@@ -106,7 +109,34 @@ run::ExitCode print_library(const PlanArguments& arguments, const plan::PlanRequ
   return code;
 }
 
+scenario::Scenario load_planned(const std::string& file, const std::vector<std::string>& overrides) {
+  scenario::Scenario scenario = scenario::load(file, overrides);
+  if (!scenario.gaits.empty()) return scenario;
+  throw scenario::ScenarioError({{file, "has no [[planned_gait]], so that there is no plan to compare the walk with",
+                                  "write a gait with surefoot plan --out FILE"}});
+}
+
+run::ExitCode print_walks(const PlanArguments& arguments) {
+  if (!arguments.png.empty()) check_picture(arguments.png);
+  std::vector<scenario::Scenario> scenarios;
+  for (const std::string& file : arguments.walks) scenarios.push_back(load_planned(file, arguments.overrides));
+  const bool is_interactive = isatty(STDERR_FILENO) == 1;
+  std::vector<plan::Walked> walks;
+  run::ExitCode code = run::ExitCode::kVerdictHolds;
+  for (std::size_t i = 0; i < scenarios.size(); ++i) {
+    if (is_interactive) fmt::print(stderr, "\r{} of {} walks\033[K", i, scenarios.size());
+    walks.push_back(plan::walk(arguments.walks[i], scenarios[i]));
+    if (walks.back().has_fallen) code = run::ExitCode::kFellOrLimit;
+    if (walks.back().has_fault && code == run::ExitCode::kVerdictHolds) code = run::ExitCode::kFault;
+  }
+  if (is_interactive) fmt::print(stderr, "\r\033[K");
+  fmt::print("{}", arguments.is_json ? plan::walked_json(walks, false) : plan::walked_text(walks));
+  if (!arguments.png.empty()) draw_picture(plan::walked_json(walks, true), arguments.png);
+  return code;
+}
+
 run::ExitCode answer(const PlanArguments& arguments) {
+  if (!arguments.walks.empty()) return print_walks(arguments);
   if (arguments.prints_keys) {
     fmt::print("{}", plan::describe_request_keys());
     return run::ExitCode::kVerdictHolds;
@@ -182,10 +212,20 @@ void add_plan(CLI::App& app, run::ExitCode& result) {
                                         "Patterns 1, 2, 3 with each way of the centre of mass, after compensation")
                              ->excludes(speed)
                              ->excludes(speeds);
+  CLI::Option* walks = command
+                           ->add_option("--walk", arguments->walks,
+                                        "Walk these gait files; planned against true ZMP (table, --json, --png)")
+                           ->type_name("FILE")
+                           ->excludes(check)
+                           ->excludes(speed)
+                           ->excludes(speeds)
+                           ->excludes(compare)
+                           ->excludes("request");
   CLI::Option* out = command->add_option("--out", arguments->out, "Write the gait as a scenario, for surefoot run")
                          ->type_name("FILE")
                          ->excludes(check)
-                         ->excludes(compare);
+                         ->excludes(compare)
+                         ->excludes(walks);
   command->add_option("--steps", arguments->steps, "With --out: steps walked with each gait")
       ->check(CLI::Range(2, 1000))
       ->needs(out)
@@ -193,6 +233,7 @@ void add_plan(CLI::App& app, run::ExitCode& result) {
   command->add_option("--csv", arguments->csv, "Write samples over a step: COG, ZMP, support, feet, loads")
       ->type_name("FILE")
       ->excludes(compare)
+      ->excludes(walks)
       ->excludes(speeds);
   command->add_option("--png", arguments->png, "Draw COG, ZMP, stick figures, feet, and the patterns")
       ->type_name("FILE")
@@ -204,15 +245,16 @@ void add_plan(CLI::App& app, run::ExitCode& result) {
       "Compensation: a stretched knee lowers H; a foot that slips or pulls, or a ZMP that leaves its support makes "
       "the\n"
       "step slower, then shorter; T_d stays a fifth of the step's time and p follows.\n"
-      "Exit codes: 0 feasible, 2 infeasible (the message names the constraint and the nearest feasible values),\n"
-      "64 usage, 65 bad request, 69 the machine lacks something.\n"
+      "Exit codes: 0 feasible, 2 infeasible (the message names the constraint and the nearest feasible values)\n"
+      "or, with --walk, fallen, 3 a fault in a walk, 64 usage, 65 bad request, 69 the machine lacks something.\n"
       "Examples:\n"
       "  surefoot plan\n"
       "  surefoot plan --no-compensation                          # exit code 2: a leg is too short\n"
       "  surefoot plan --compare\n"
       "  surefoot plan tools/plans/khr2.toml --speed 0.15 --png plan.png\n"
       "  surefoot plan tools/plans/khr2.toml --speeds 0.1:0.2:0.05 --out gaits.toml\n"
-      "  surefoot plan --set robot=khr2 --set pattern=flat_feet --out gait.toml && surefoot run gait.toml");
+      "  surefoot plan --set robot=khr2 --set pattern=flat_feet --out gait.toml && surefoot run gait.toml\n"
+      "  surefoot plan --walk tools/scenarios/khr2_pattern3.toml --png zmp.png");
   command->callback([arguments, &result] { result = with_messages([&] { return answer(*arguments); }); });
 }
 

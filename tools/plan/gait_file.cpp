@@ -2,17 +2,28 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "tools/scenario/field.hpp"
 
 namespace surefoot::plan {
 namespace {
 
-constexpr double kStartAndStop_s = 4.0;  // to get going, and to see the last step end
+constexpr double kStartAndStop_s = 8.0;  // to get going, to close the feet, and to be seen standing
 
 /// To a millionth: nobody reads more, and a gait may be put together from it.
 std::string number(double value) { return scenario::toml_number(std::round(value * 1e6) / 1e6); }
+
+/// Of the whole walk: with the lowest no leg is stretched further than its gait's plan has it.
+double pelvis_height_m(std::span<const PlanResult> gaits) {
+  double lowest_m = std::numeric_limits<double>::infinity();
+  for (const PlanResult& result : gaits) {
+    lowest_m = std::min(lowest_m, result.request.body.hip_height_m(result.after.plan.gait.com_height_m));
+  }
+  return lowest_m;
+}
 
 std::string gait_text(const PlanResult& result, int steps) {
   const planning::StepPlan& plan = result.after.plan;
@@ -23,7 +34,7 @@ std::string gait_text(const PlanResult& result, int steps) {
       "{:.1f} %\n[[planned_gait]]\n",
       gait.speed_m_s(), result.request.body.hip_height_m(gait.com_height_m), 1e3 * margins.least_zmp_margin_m,
       margins.greatest_friction, 100.0 * margins.greatest_stretch);
-  if (steps > 0) text += fmt::format("steps = {}\n", steps);
+  text += fmt::format("steps = {}\n", steps);
   text += fmt::format("pattern = \"{}\"\n", kPatterns[static_cast<std::size_t>(plan.pattern)]);
   text += fmt::format("com_method = \"{}\"\n", kComMethods[static_cast<std::size_t>(plan.com_method)]);
   text += fmt::format("lands_hard = {}\n", plan.lands_hard);
@@ -49,7 +60,9 @@ std::string gait_file_text(std::span<const PlanResult> gaits, int steps) {
       robot, gaits.size() == 1 ? "one" : fmt::format("{} one after the other", gaits.size()), steps, robot);
   if (robot == "elkahlout") text += "plant = \"nominal\"\n";
   text += fmt::format("duration_s = {}\n", scenario::toml_number(std::ceil(duration_s)));
-  for (std::size_t i = 0; i < gaits.size(); ++i) text += gait_text(gaits[i], i + 1 < gaits.size() ? steps : 0);
+  text += fmt::format("\n# The pelvis is as high as the lowest of these gaits has it.\n[gait]\nbody_height_m = {}\n",
+                      number(pelvis_height_m(gaits)));
+  for (const PlanResult& result : gaits) text += gait_text(result, steps);
   return text;
 }
 
