@@ -95,6 +95,8 @@ def test_a_request_that_cannot_be_used_is_refused_with_its_line(tmp_path: Path, 
         (["--out", "gait.toml"], USAGE, "surefoot plan: --out"),
         ([KHR2, "--speeds", "0.1:0.2:0.01", "--out", "gait.toml"], USAGE, "surefoot plan: --speeds"),
         ([KHR2, "--out", "/nowhere/gait.toml"], MACHINE_LACKS, "/nowhere/gait.toml"),
+        (["--walk", "/nowhere.toml"], BAD_INPUT, "/nowhere.toml"),
+        (["--walk", ROOT / "tools" / "scenarios" / "main.toml"], BAD_INPUT, f"{ROOT}/tools/scenarios/main.toml: has no"),
         (["--png", "/nowhere/plan.png"], MACHINE_LACKS, "/nowhere/plan.png"),
     ],
 )
@@ -111,11 +113,34 @@ def test_a_gait_file_holds_a_gait_for_each_speed(tmp_path: Path):
     assert finished.returncode == 0, finished.stderr
     written, planned = tomllib.loads(file.read_text()), json.loads(finished.stdout)
     assert written["robot"] == "khr2"
-    assert [gait.get("steps") for gait in written["gait"]] == [6, 6, None]
-    for gait, result in zip(written["gait"], planned):
+    assert [gait["steps"] for gait in written["planned_gait"]] == [6, 6, 6]
+    for gait, result in zip(written["planned_gait"], planned):
         assert gait["single_support_s"] == pytest.approx(result["after"]["gait"]["single_support_s"], abs=1e-6)
         step_s = gait["single_support_s"] + gait["double_support_s"]
         assert gait["step_length_m"] / step_s == pytest.approx(result["wanted_speed_m_s"], rel=1e-4)
+
+
+@pytest.mark.parametrize("robot", ["khr2", "elkahlout"])
+def test_a_gait_file_is_walked_to_its_end(robot: str, tmp_path: Path):
+    file = tmp_path / "gait.toml"
+    planned = surefoot("plan", "--set", f"robot={robot}", "--set", "gait.step_length_m=0.1", "--steps", 5, "--out", file)
+    assert planned.returncode == 0, planned.stderr
+    finished = surefoot("plan", "--walk", file, "--json")
+    assert finished.returncode == 0, finished.stderr
+    (walked,) = json.loads(finished.stdout)
+    assert walked["verdict"] == "walked" and walked["steps"] >= 5
+    assert walked["least_margin_m"] < walked["planned_margin_m"]
+    run = surefoot("run", file, "--out", tmp_path / "run", "--json")
+    assert run.returncode == 0, run.stderr
+
+
+def test_a_walk_that_falls_ends_with_its_own_exit_code(tmp_path: Path):
+    file = tmp_path / "pushed.toml"
+    push = "[[push]]\nat_s = 2.0\nduration_s = 0.1\nforce_n = [0.0, 900.0, 0.0]\n"
+    file.write_text((ROOT / "tools" / "scenarios" / "khr2_pattern1.toml").read_text() + push)
+    finished = surefoot("plan", "--walk", file)
+    assert finished.returncode == INFEASIBLE, finished.stderr
+    assert b" fell " in finished.stdout
 
 
 def test_samples_and_picture_are_written(tmp_path: Path):

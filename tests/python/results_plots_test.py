@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from tools.plots import look
-from tools.plots.results import floor_traces, survival_map, survival_table, walking_plan
+from tools.plots.results import floor_traces, planned_zmp, survival_map, survival_table, walking_plan
 from tools.plots.results.__main__ import FIGURES, main
 
 TIMES_S, MASSES_KG = [0.1, 0.2, 0.3], [5.0, 15.0]
@@ -68,6 +68,10 @@ PLAN = {
     "heel_m": 0.1, "before": _planned("rolled_in_turn", knee=True), "after": _planned("rolled_in_turn"),
     "patterns": [_planned(name) for name in ("flat_feet", "rolled_together", "rolled_in_turn")],
 }  # fmt: skip
+_SAMPLES = {"time_s": [0.0, 0.1], "planned_m": [0.0, 0.1], "measured_m": [0.0, 0.05], "rear_m": [-0.1] * 2,
+            "front_m": [0.1] * 2}  # fmt: skip
+_WALKED = {"robot": "khr2", "pattern": "flat_feet", "verdict": "walked", "rms_difference_m": 0.02, "samples": _SAMPLES}
+_NOT_WALKED = {**_WALKED, "verdict": "fell", "rms_difference_m": None, "samples": {name: [] for name in _SAMPLES}}
 AXES = {
     "columns": {"title": "load at, s", "labels": ["0.3", "0.9"]},
     "rows": {"title": "load, kg", "labels": ["5.0", "10.0", "15.0"]},
@@ -104,6 +108,7 @@ RESULTS = {
         "walks": [_walk(name, floor) for name in ("off", "extended") for floor in ("flat", "both")],
     },
     "plan": PLAN,
+    "planned ZMP": {"picture": "planned_zmp", "walks": [_WALKED, _NOT_WALKED]},
     "plan, checked only": {**PLAN, "turns": [], "is_feasible": False, "broken": "zmp"},
 }  # fmt: skip
 
@@ -162,6 +167,11 @@ def test_a_plan_shows_what_was_before_only_where_something_was_changed():
     assert "ZMP before compensation: a knee is stretched" in titles["plan"]
     assert not any("before" in title for title in titles["plan, checked only"])
     assert sum(title.startswith("Pattern ") for title in titles["plan"]) == 3
+
+
+def test_each_walk_has_a_panel_and_one_that_fell_at_once_says_so():
+    titles = [axis.get_title(loc="left") for axis in planned_zmp.figure(RESULTS["planned ZMP"]).axes]
+    assert titles == ["khr2, flat_feet: walked, RMS 20 mm apart", "khr2, flat_feet: fell, no steps to show"]
 
 
 def test_a_picture_that_cannot_be_written_is_said(tmp_path: Path, monkeypatch, capsys):

@@ -13,6 +13,8 @@ namespace {
 
 constexpr double kStartAndStop_s = 8.0;  // to get going, to close the feet, and to be seen standing
 
+constexpr double kUsualCycle_s = 4.0;  // that a scenario averages over by itself
+
 /// To a millionth: nobody reads more, and a gait may be put together from it.
 std::string number(double value) { return scenario::toml_number(std::round(value * 1e6) / 1e6); }
 
@@ -62,6 +64,11 @@ std::string gait_file_text(std::span<const PlanResult> gaits, int steps) {
   text += fmt::format("duration_s = {}\n", scenario::toml_number(std::ceil(duration_s)));
   text += fmt::format("\n# The pelvis is as high as the lowest of these gaits has it.\n[gait]\nbody_height_m = {}\n",
                       number(pelvis_height_m(gaits)));
+  double cycle_s = 0.0;
+  for (const PlanResult& result : gaits) cycle_s = std::max(cycle_s, 2.0 * result.after.plan.gait.step_s());
+  if (cycle_s > kUsualCycle_s) {
+    text += fmt::format("\n[payload_shift]\nmeasuring_s = {}\n", scenario::toml_number(std::ceil(cycle_s)));
+  }
   for (const PlanResult& result : gaits) text += gait_text(result, steps);
   return text;
 }

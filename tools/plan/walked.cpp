@@ -53,7 +53,7 @@ std::optional<double> planned_margin_m(const scenario::Scenario& scenario) {
   for (std::size_t i = 0; i < gaits.count; ++i) {
     const planning::StepPlan& plan = gaits.gait.at(i).plan;
     const planning::StepMargins margins =
-        planning::check_step(body, {}, planning::PlannedStep(plan), body.hip_height_m(plan.gait.com_height_m));
+        planning::check_step(body, {}, planning::PlannedStep(plan), scenario.firmware.walk.body_height_m);
     if (margins.broken == planning::StepConstraint::kKnee || margins.broken == planning::StepConstraint::kDetermined) {
       return std::nullopt;
     }

@@ -47,12 +47,13 @@ struct Walked {
   int steps = 0;  ///< begun
   double greatest_roll_deg = 0.0;
   double greatest_pitch_deg = 0.0;
-  std::optional<double> planned_margin_m;   ///< by `planning::check_step`, least of all gaits
-  std::optional<double> least_margin_m;     ///< true one, after the first 3 steps
-  std::optional<double> fifth_margin_m;     ///< 5th percentile
-  std::optional<double> rms_difference_m;   ///< measured less planned pressure centre
-  std::optional<double> most_difference_m;  ///< largest magnitude
-  std::vector<ZmpSample> picture;           ///< steps 5 to 8, every 10 ms
+  std::optional<double> planned_margin_m =
+      std::nullopt;  ///< by `planning::check_step` at the walk's pelvis height, least
+  std::optional<double> least_margin_m = std::nullopt;     ///< true one, after the first 3 steps
+  std::optional<double> fifth_margin_m = std::nullopt;     ///< 5th percentile
+  std::optional<double> rms_difference_m = std::nullopt;   ///< measured less planned pressure centre
+  std::optional<double> most_difference_m = std::nullopt;  ///< largest magnitude
+  std::vector<ZmpSample> picture = {};                     ///< steps 5 to 8, every 10 ms
 
   [[nodiscard]] const char* verdict() const noexcept { return has_fallen ? "fell" : has_fault ? "fault" : "walked"; }
 };

@@ -8,6 +8,7 @@ from tools.plots.results import (
     band,
     false_alarms,
     floor_traces,
+    planned_zmp,
     random_loads,
     survival_map,
     survival_table,
@@ -24,6 +25,7 @@ FIGURES = {
     "floor_traces": floor_traces,
     "map": survival_map,
     "walking_plan": walking_plan,
+    "planned_zmp": planned_zmp,
 }
 
 
