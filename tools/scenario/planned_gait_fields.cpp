@@ -33,7 +33,7 @@ std::vector<Field> fields(PlannedGaitConfig& config) {
       Field{"heel_angle_deg", &config.heel_angle_deg, {0.0, 60.0}, "deg", "pitch of a foot when it lands, toe up"},
       Field{"top_share", &config.top_share, {0.05, 0.95}, "1", "share of the swing after which its top is passed"},
       Field{"top_x_m", &config.top_x_m, {-1.0, 1.0}, "m", "place of the top, from the middle of the foot's way"},
-      Field{"top_z_m", &config.top_z_m, {0.0, 0.5}, "m", "height of the top"}};
+      Field{"top_z_m", &config.top_z_m, {0.005, 0.5}, "m", "height of the top"}};
 }
 
 gait::PlannedGait planned_gait(const PlannedGaitConfig& config, const geometry::RobotGeometry& robot) {
