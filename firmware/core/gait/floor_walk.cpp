@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "firmware/core/planning/motion_algebra.hpp"
+#include "firmware/core/gait/floor_sway.hpp"
+#include "firmware/core/gait/planned_walk.hpp"
 
 namespace surefoot::gait {
 namespace {
@@ -21,68 +22,6 @@ void move_on(FloorWalkState& state, WalkEvent event) noexcept {
   if (!next) return;
   state.stage = *next;
   state.time_in_stage_s = 0.0;
-}
-
-double natural_rate_rad_s(const FourFactorParameters& pattern) noexcept {
-  return std::sqrt(kGravity_m_s2 / pattern.com_height_m);
-}
-
-double shift_s(const WalkParameters& walk, const FourFactorParameters& pattern) noexcept {
-  return pattern.shift_steps * walk.step_s() - 0.5 * walk.double_support_s;
-}
-
-/// With the durations of the stride that is walked, or will be first.
-WalkParameters timed(WalkParameters walk, const FourFactorParameters& pattern, const FloorWalkState& state) noexcept {
-  if (pattern.gaits.is_empty()) return walk;
-  const planning::GaitFactors& gait = pattern.gaits.of_step(state.steps > 0 ? state.steps - 1 : 0).gait;
-  walk.single_support_s = gait.single_support_s;
-  walk.double_support_s = gait.double_support_s;
-  return walk;
-}
-
-/// Time in which the pressure centre goes from foot to foot.
-double transfer_s(const WalkParameters& walk, const FourFactorParameters& pattern) noexcept {
-  return pattern.gaits.is_empty() ? pattern.transfer_s : walk.double_support_s;
-}
-
-LateralPendulum lateral_pendulum(const WalkParameters& walk, const FourFactorParameters& pattern) noexcept {
-  const double transfer = transfer_s(walk, pattern);
-  return {walk.foot_offset_y_m, natural_rate_rad_s(pattern), walk.step_s() - transfer, transfer};
-}
-
-/// 0 to 1 without velocity at either end.
-double smooth(double share) noexcept {
-  const double s = std::clamp(share, 0.0, 1.0);
-  return s * s * (3.0 - 2.0 * s);
-}
-
-/// How much of the sway there is.
-double sway_share(const WalkParameters& walk, const FourFactorParameters& pattern,
-                  const FloorWalkState& state) noexcept {
-  switch (state.stage) {
-    case WalkStage::kStanding:
-      return 0.0;
-    case WalkStage::kShifting:
-      return smooth(1.0 + state.step_time_s / shift_s(walk, pattern));
-    case WalkStage::kLanding:  // a planned walk comes to rest by itself
-      return pattern.gaits.is_empty() ? 1.0 - smooth(state.time_in_stage_s / walk.step_s()) : 1.0;
-    default:
-      return 1.0;
-  }
-}
-
-/// Pelvis over the middle of the feet, without what fades it in and out.
-double full_sway_y_m(const WalkParameters& walk, const FourFactorParameters& pattern, const FloorWalkState& state,
-                     double added_m) noexcept {
-  if (pattern.gaits.is_empty() && pattern.sway_profile == SwayProfile::kSine) {
-    return sway_y_m(walk, walk.sway_m + added_m, state.moving, state.step_time_s);
-  }
-  const double share = 1.0 / pattern.com_share + added_m / state.com_y.amplitude_m();
-  const double earlier_s = 0.5 * (walk.double_support_s - transfer_s(walk, pattern));
-  const bool comes_to_rest = !pattern.gaits.is_empty() && state.stage == WalkStage::kLanding;
-  const double own_y_m = comes_to_rest ? 0.0 : state.com_y.at(state.step_time_s - earlier_s).position;
-  const double com_y_m = own_y_m + quintic(state.sway_join_m, 0.0, walk.step_s(), state.step_time_s).position;
-  return -lateral_sign(state.moving) * share * com_y_m;
 }
 
 bool is_in_air(const FloorWalkState& state, const WalkParameters& walk) noexcept {
@@ -103,33 +42,6 @@ void plan_step(const WalkParameters& walk, const FourFactorParameters& pattern, 
   state.centre_to_y_m = stance_m.y() + lateral_sign(state.moving) * walk.foot_offset_y_m;
   state.target_m = {stance_m.x() + length_m, state.centre_to_y_m + lateral_sign(state.moving) * walk.foot_offset_y_m,
                     0.0};
-}
-
-void plan_stride(const WalkParameters& before, const FourFactorParameters& pattern, FloorWalkState& state) noexcept {
-  using planning::operator-;
-  const std::uint32_t steps = pattern.gaits.steps();
-  const bool closes = steps > 0 && state.steps >= steps;
-  const double stance_x_m = state.foothold_m[index(opposite(state.moving))].x();
-  const planning::StepPlan& plan = pattern.gaits.of_step(state.steps);
-  StrideBorders borders;
-  borders.from_m = state.stride.borders().to_m;
-  borders.to_m = state.stops || closes ? 0.0 : plan.gait.step_length_m;
-  borders.comes_to_rest = state.stops || closes;
-  if (state.steps > 0) {
-    borders.com_x_m = state.stride.at(state.stride.duration_s()).com_x_m;
-    borders.com_x_m.position += state.stride_origin_x_m - stance_x_m;
-  }
-  state.stride = PlannedStride(plan, borders, state.stride);
-  state.stride_origin_x_m = stance_x_m;
-  state.target_m.x() = stance_x_m + borders.to_m;
-
-  const LateralPendulum sway_before = state.com_y;
-  WalkParameters walk = before;
-  walk.single_support_s = plan.gait.single_support_s;
-  walk.double_support_s = plan.gait.double_support_s;
-  state.com_y = lateral_pendulum(walk, pattern);
-  const ScalarMotion own = state.stops ? ScalarMotion{} : state.com_y.at(0.0);
-  state.sway_join_m = ScalarMotion{} - sway_before.at(before.step_s()) - own;
 }
 
 void begin_step(const WalkParameters& walk, const FourFactorParameters& pattern, FloorWalkState& state) noexcept {
@@ -164,54 +76,6 @@ void run_clock(const WalkParameters& walk, const FourFactorParameters& pattern, 
   } else {
     state.step_time_s = next_s;
   }
-}
-
-/// A planned walk has taken its last step, the one that closes the feet.
-bool has_closed(const FourFactorParameters& pattern, const FloorWalkState& state) noexcept {
-  const std::uint32_t steps = pattern.gaits.steps();
-  return steps > 0 && state.steps > steps;
-}
-
-/// Where a foot of a planned stride is, seen from its foothold.
-struct FootOffset {
-  double x_m = 0.0;
-  double z_m = 0.0;
-  double pitch_rad = 0.0;
-};
-
-FootOffset offset_of(const planning::FootPoint& foot, double flat_x_m) noexcept {
-  return {foot.x_m.position - flat_x_m, foot.z_m.position, foot.pitch_rad.position};
-}
-
-/// A foot in the air is seen from the straight way of its foothold to the next one.
-PerSide<FootOffset> planned_offsets(const WalkParameters& walk, const FloorWalkState& state) noexcept {
-  const StrideBorders& borders = state.stride.borders();
-  const StrideInstant now = state.stride.at(state.step_time_s);
-  PerSide<FootOffset> offset{};
-  offset[index(opposite(state.moving))] = offset_of(now.stance, 0.0);
-  if (state.stage == WalkStage::kLanding) return offset;  // nobody lifts a foot any more
-  const double progress = swing_progress(state.held_share.value_or(swing_share(walk, state.step_time_s)));
-  const double straight_x_m = -borders.from_m + progress * (borders.from_m + borders.to_m);
-  FootOffset& swing = offset[index(state.moving)];
-  swing = offset_of(now.swing, straight_x_m);
-  if (state.held_share) {
-    const double held_s = walk.double_support_s + *state.held_share * walk.single_support_s;
-    swing.z_m = state.stride.at(held_s).swing.z_m.position;
-  }
-  return offset;
-}
-
-/// A foot whose lowering was stopped stands as high as it was then.
-void keep_held_height(const WalkParameters& walk, FloorWalkState& state) noexcept {
-  if (!state.held_share) return;
-  const double held_s = walk.double_support_s + *state.held_share * walk.single_support_s;
-  state.foothold_m[index(state.moving)].z() +=
-      state.stride.at(held_s).swing.z_m.position - state.stride.at(walk.step_s()).swing.z_m.position;
-}
-
-double planned_pelvis_x_m(const FourFactorParameters& pattern, const FloorWalkState& state) noexcept {
-  if (state.steps == 0) return pattern.pelvis_x_m;
-  return state.stride_origin_x_m + state.stride.at(state.step_time_s).com_x_m.position + pattern.pelvis_x_m;
 }
 
 WalkView view_of(const WalkParameters& walk, const FloorWalkState& state) noexcept {
@@ -336,7 +200,7 @@ FootReference foot_reference(const WalkParameters& given, const FourFactorParame
 
   const double centre_y_m =
       state.centre_from_y_m + smooth(step_time_s / walk.step_s()) * (state.centre_to_y_m - state.centre_from_y_m);
-  const double sway_m = sway_share(walk, pattern, state) * full_sway_y_m(walk, pattern, state, adjust.sway_m);
+  const double sway_m = pelvis_sway_y_m(walk, pattern, state, adjust.sway_m);
   const double pelvis_x_m = is_planned ? planned_pelvis_x_m(pattern, state) : state.pelvis_x.at(step_time_s).position_m;
   const geometry::Vector3 pelvis_m{pelvis_x_m + adjust.sway_centre_x_m + adjust.pelvis_x_m,
                                    centre_y_m + sway_m + adjust.sway_centre_y_m + adjust.pelvis_y_m,
