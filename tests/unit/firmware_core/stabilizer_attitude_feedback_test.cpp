@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "firmware/core/stabilizer/attitude_feedback.hpp"
 #include "tests/unit/firmware_core/compliant_ankle.hpp"
 #include "tests/unit/firmware_core/flat_walk.hpp"
@@ -70,6 +72,25 @@ TEST(AttitudeFeedback, GivesNoAngleToAFootWithoutLoad) {
   input.measured.torso_roll_rad = 0.05;
   input.ankle[0].normal_force_n = 48.0;
   for (int k = 0; k < 500; ++k) EXPECT_EQ(step(kConfig, state, input, true).ankle_roll_rad, (PerSide<double>{}));
+}
+
+// Two feet side by side hold the roll by their legs. Their pitch is held when the robot is switched on, and goes over
+// to the upright pose: after t seconds exp(-t / 3 s) of it is left.
+TEST(AttitudeFeedback, HoldsThePitchAloneWhileTheRobotBeginsToStand) {
+  AttitudeFeedbackState state;
+  StabilizerInput input = standing_on(Side::kRight, 1.0e-3);
+  input.walk.stage = decision::WalkStage::kStanding;
+  for (auto& load : input.ankle) load.normal_force_n = 0.5 * FlatWalk::kWeight_n;
+  input.measured.torso_roll_rad = 0.02;
+  input.measured.torso_pitch_rad = 0.02;
+  Adjustment adjustment;
+  for (int k = 0; k < 1000; ++k) adjustment = step(kConfig, state, input, true);
+  const double first_rad = adjustment.ankle_pitch_rad[0];
+  EXPECT_NEAR(first_rad, 0.5 * 0.3 * 1.8 * 0.02 * std::exp(-1.0 / 3.0), 2e-5);
+  for (int k = 0; k < 3000; ++k) adjustment = step(kConfig, state, input, true);
+  EXPECT_NEAR(adjustment.ankle_pitch_rad[0], first_rad * std::exp(-1.0), 2e-5);
+  EXPECT_EQ(adjustment.ankle_pitch_rad[0], adjustment.ankle_pitch_rad[1]);
+  EXPECT_EQ(adjustment.ankle_roll_rad, (PerSide<double>{}));
 }
 
 }  // namespace
