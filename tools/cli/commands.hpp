@@ -27,5 +27,6 @@ void add_bus(CLI::App& app, run::ExitCode& result);
 void add_doctor(CLI::App& app, run::ExitCode& result);
 void add_bench(CLI::App& app, run::ExitCode& result);
 void add_calibrate(CLI::App& app, run::ExitCode& result);
+void add_model(CLI::App& app, run::ExitCode& result);
 
 }  // namespace surefoot::cli

@@ -65,6 +65,7 @@ int main(int argc, char** argv) {
   surefoot::cli::add_doctor(app, result);
   surefoot::cli::add_bench(app, result);
   surefoot::cli::add_calibrate(app, result);
+  surefoot::cli::add_model(app, result);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
