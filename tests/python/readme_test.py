@@ -24,7 +24,8 @@ def _is_there(path: str, document: Path) -> bool:
 
 def _subcommands() -> set[str]:
     listed = surefoot("--help").stdout.decode().split("Subcommands:\n")[1].split("\n\n")[0]
-    return {*re.findall(r"^  ([\w-]+)", listed, re.MULTILINE), "plot"}
+    in_python = {"plot", "report", "export"}
+    return {*re.findall(r"^  ([\w-]+)", listed, re.MULTILINE), *in_python}
 
 
 def _subfolders(folder: Path) -> set[str]:
@@ -71,7 +72,10 @@ def test_the_table_of_the_tests_names_the_labels_that_tools_test_promises():
     assert labels == set(promised.split())
 
 
-@pytest.mark.parametrize("document", _DOCUMENTS, ids=_NAMES)
+_WITH_COMMANDS = [document for document in _DOCUMENTS if document.name != "cli.md"]  # that is usages: placeholders
+
+
+@pytest.mark.parametrize("document", _WITH_COMMANDS, ids=lambda document: str(document.relative_to(ROOT)))
 def test_every_command_shown_is_there_and_so_are_its_scenarios(document: Path):
     for line in code_lines(document.read_text()):
         command = line.split("#")[0]
