@@ -80,7 +80,7 @@ async function showScene(stage, runs, axis) {
   const scene = new RobotScene(canvas, shown.map((run) => run.model));
   await Promise.all(shown.map(loadPoses));
   const layers = element("div", "layers", ...["robot", "ghost", "forces"].map((layer) => layerSwitch(scene, layer)));
-  stage.append(layers, element("p", "note", "Blue ghost: joint references. Red: forces of the floor, 1 m for 1000 N, and the ZMP; green: support. Drag turns, wheel zooms."));
+  stage.append(layers, element("p", "note", "Blue ghost: joint references. Red: forces of the floor, 1 m for 1000 N, and the ZMP; green: support. Drag turns, wheel zooms. Values are rounded to 1/65534 of their column's range."));
   let poses = [];
   const show = () => {
     poses = shown.map((run) => poseAt(run, axis.time_s));
