@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <csignal>
+#include <surefoot/run_t.hpp>
 #include <utility>
 
 #include "firmware/host/bus_log_writer.hpp"
@@ -24,6 +25,7 @@ constexpr std::size_t kMessageBatch = 128;
 constexpr auto kIdle = std::chrono::microseconds(500);
 constexpr auto kWaitForRoom = std::chrono::microseconds(50);
 constexpr auto kFlushPeriod = std::chrono::milliseconds(400);
+constexpr auto kAnnouncePeriod = std::chrono::seconds(1);
 
 /// Blocks all signals of the calling thread, and of threads it starts, while it lives.
 class SignalsBlocked {
@@ -45,12 +47,28 @@ class SignalsBlocked {
 
 struct RunRecorder::Writers {
   explicit Writers(const RecorderOptions& options) : bus_log(options.bus_log), telemetry_log(options.telemetry_log) {
-    if (options.live_provider) live.emplace(*options.live_provider);
+    if (!options.live_provider) return;
+    live.emplace(*options.live_provider);
+    announcement.started_ns = std::chrono::nanoseconds(steady_clock::now().time_since_epoch()).count();
+    const std::string folder = std::filesystem::absolute(options.telemetry_log).parent_path().string();
+    // A path that does not fit is not told: a cut one would name another folder.
+    if (folder.size() < sizeof announcement.folder) std::ranges::copy(folder, announcement.folder);
+  }
+
+  /// From the first message on, once a second: who begins to listen in between learns what it listens to.
+  void announce() noexcept {
+    if (!live || !has_published || steady_clock::now() < announce_next_at) return;
+    const int size = announcement.encode(encoded.data(), 0, static_cast<int>(encoded.size()));
+    if (size > 0) live->publish(Channel::kRun, encoded.data(), static_cast<std::size_t>(size));
+    announce_next_at = steady_clock::now() + kAnnouncePeriod;
   }
 
   BusLogWriter bus_log;
   TelemetryLogWriter telemetry_log;
   std::optional<LivePublisher> live;
+  run_t announcement{};
+  steady_clock::time_point announce_next_at{};
+  bool has_published = false;
   std::array<std::byte, kMaxEncodedBytes> encoded{};
 };
 
@@ -104,6 +122,7 @@ void RunRecorder::run() noexcept {
     // Read before draining: what was put in before `finish` is then certainly seen.
     const bool is_finishing = is_finishing_.load(std::memory_order_acquire);
     const bool is_empty = drain();
+    writers_->announce();
     is_last = is_finishing && is_empty;
     if (is_last || steady_clock::now() - flushed_at > kFlushPeriod) {
       writers_->bus_log.flush();
@@ -131,7 +150,9 @@ bool RunRecorder::drain() noexcept {
           writers_->telemetry_log.append(slot.utime_us + options_.power_up_before_zero_us, slot.channel, encoded,
                                          length);
         }
-        if (writers_->live) writers_->live->publish(slot.channel, encoded, length);
+        if (!writers_->live) return;
+        writers_->live->publish(slot.channel, encoded, length);
+        writers_->has_published = true;
       },
       kMessageBatch);
   return frames < kFrameBatch && messages < kMessageBatch;

@@ -19,11 +19,14 @@ enum class Channel : std::uint8_t {
   kBusStatistics,     ///< bus_statistics_t, now and then
   kTimingStatistics,  ///< timing_statistics_t, now and then; live only, never in the log
   kStabilizer,        ///< stabilizer_t, every tick of a floor walk
+  kRun,               ///< run_t, every second of wall time; live only
 };
 
 /// LCM channel names, indexed by `Channel`.
-inline constexpr std::array<const char*, 6> kChannelNames{"SUREFOOT_STATE", "SUREFOOT_EVENT",  "SUREFOOT_TRUTH",
-                                                          "SUREFOOT_BUS",   "SUREFOOT_TIMING", "SUREFOOT_STABILIZER"};
+inline constexpr std::array<const char*, 7> kChannelNames{"SUREFOOT_STATE",  "SUREFOOT_EVENT",
+                                                          "SUREFOOT_TRUTH",  "SUREFOOT_BUS",
+                                                          "SUREFOOT_TIMING", "SUREFOOT_STABILIZER",
+                                                          "SUREFOOT_RUN"};
 
 [[nodiscard]] constexpr const char* name(Channel channel) noexcept {
   return kChannelNames[static_cast<std::size_t>(channel)];

@@ -25,6 +25,7 @@ void TickHistogram::add(std::int64_t duration_ns) noexcept {
   const auto clamped_ns = static_cast<std::uint64_t>(std::clamp<std::int64_t>(duration_ns, 0, kLargestNs));
   ++buckets_[bucket_of(clamped_ns)];
   ++count_;
+  sum_ns_ += clamped_ns;
   max_ns_ = std::max(max_ns_, clamped_ns);
 }
 
@@ -36,6 +37,20 @@ double TickHistogram::percentile_us(double fraction) const noexcept {
   std::size_t bucket = 0;
   while (bucket < kBuckets - 1 && (seen += buckets_[bucket]) < wanted) ++bucket;
   return 1.0e-3 * static_cast<double>(std::min(upper_end_ns(bucket), max_ns_));
+}
+
+double TickHistogram::mean_us() const noexcept {
+  return count_ == 0 ? 0.0 : 1.0e-3 * static_cast<double>(sum_ns_) / static_cast<double>(count_);
+}
+
+TickHistogram::Bins TickHistogram::bins() const noexcept {
+  Bins bins{};
+  for (std::size_t bucket = 0; bucket < kBuckets; ++bucket) bins[bucket / kBucketsPerBin] += buckets_[bucket];
+  return bins;
+}
+
+double TickHistogram::bin_begin_us(std::size_t bin) noexcept {
+  return bin == 0 ? 0.0 : 1.0e-3 * static_cast<double>(upper_end_ns(bin * kBucketsPerBin - 1) + 1);
 }
 
 }  // namespace surefoot::host

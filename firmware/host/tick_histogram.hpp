@@ -25,6 +25,19 @@ class TickHistogram {
   [[nodiscard]] double p50_us() const noexcept { return percentile_us(0.5); }
   [[nodiscard]] double p999_us() const noexcept { return percentile_us(0.999); }
 
+  static constexpr std::size_t kBins = 120;
+  using Bins = std::array<std::uint64_t, kBins>;
+
+  /// How many durations fell into each of four bins a doubling (of 32 ns below 128 ns): enough for a picture.
+  [[nodiscard]] Bins bins() const noexcept;
+
+  /// Where a bin begins; the last one ends at kLargestNs.
+  /// @param bin  0 to kBins
+  [[nodiscard]] static double bin_begin_us(std::size_t bin) noexcept;
+
+  /// Exact, but for durations beyond kLargestNs; 0 when empty.
+  [[nodiscard]] double mean_us() const noexcept;
+
   /// The longest duration, exact up to kLargestNs.
   [[nodiscard]] double max_us() const noexcept { return 1.0e-3 * static_cast<double>(max_ns_); }
 
@@ -32,12 +45,14 @@ class TickHistogram {
   static constexpr unsigned kSubBits = 7;
   static constexpr unsigned kLargestBits = 36;
   static constexpr std::size_t kBuckets = std::size_t{kLargestBits - kSubBits + 1} << kSubBits;
+  static constexpr std::size_t kBucketsPerBin = kBuckets / kBins;
 
   [[nodiscard]] static std::size_t bucket_of(std::uint64_t duration_ns) noexcept;
   [[nodiscard]] static std::uint64_t upper_end_ns(std::size_t bucket) noexcept;
 
   std::array<std::uint64_t, kBuckets> buckets_{};
   std::uint64_t count_ = 0;
+  std::uint64_t sum_ns_ = 0;
   std::uint64_t max_ns_ = 0;
 };
 

@@ -22,7 +22,8 @@ LoadedTrial trial_of(const std::vector<std::string>& own) {
 
 /// Everything that a verdict says but wall times: the bits of all frames are counted in it.
 std::string text_of(run::Verdict verdict) {
-  verdict.tick_us_p50 = verdict.tick_us_p999 = verdict.tick_us_max = verdict.real_time_factor = 0.0;
+  verdict.tick_us_mean = verdict.tick_us_p50 = verdict.tick_us_p999 = verdict.tick_us_max = verdict.real_time_factor = 0.0;
+  verdict.tick_bins = {};
   return run::to_json(verdict);
 }
 

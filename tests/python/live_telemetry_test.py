@@ -15,6 +15,7 @@ ip link set lo up && ip link set lo multicast on && ip route add 224.0.0.0/4 dev
 exec "$@"
 """
 _TICKS = 9700  # of SHORT, from power-up to its end
+_LIVE_ONLY = ("SUREFOOT_TIMING", "SUREFOOT_RUN")
 _EVERY_TICKS = 50  # states and truths: few, for a receive buffer that a busy machine leaves unread for a while
 
 
@@ -66,9 +67,17 @@ def test_timing_of_a_walk_is_of_the_wall_clock(live_run: Path):
             assert timing.allocations == 0 and timing.telemetry_dropped == 0
 
 
+def test_who_listens_is_told_where_the_scenario_is(live_run: Path):
+    told = [encoded for channel, encoded in _messages(live_run / "heard.lcmlog") if channel == "SUREFOOT_RUN"]
+    runs = [message_types().run_t.decode(encoded) for encoded in told]
+    assert runs and len({run.started_ns for run in runs}) == 1
+    folder = Path(bytes(runs[0].folder).split(b"\0")[0].decode())
+    assert folder == live_run / "run" and (folder / "scenario.toml").is_file()
+
+
 def test_the_log_holds_what_was_heard_but_for_the_wall_clock(live_run: Path):
     recorded = _messages(live_run / "run" / "telemetry.lcmlog")
-    heard = [message for message in _messages(live_run / "heard.lcmlog") if message[0] != "SUREFOOT_TIMING"]
+    heard = [message for message in _messages(live_run / "heard.lcmlog") if message[0] not in _LIVE_ONLY]
     assert {channel for channel, _ in recorded} == {f"SUREFOOT_{name}" for name in ("STATE", "TRUTH", "BUS", "EVENT")}
     rest = iter(recorded)
     assert all(message in rest for message in heard), "heard what is not in the log, or in another order"

@@ -24,7 +24,7 @@ def _is_there(path: str, document: Path) -> bool:
 
 def _subcommands() -> set[str]:
     listed = surefoot("--help").stdout.decode().split("Subcommands:\n")[1].split("\n\n")[0]
-    in_python = {"plot", "report", "tail", "export"}
+    in_python = {"plot", "report", "watch", "tail", "export"}
     return {*re.findall(r"^  ([\w-]+)", listed, re.MULTILINE), *in_python}
 
 

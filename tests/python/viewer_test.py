@@ -52,6 +52,12 @@ def test_whole_numbers_keep_their_value() -> None:
         assert (found == columns[name]).all(), name
 
 
+def test_whole_numbers_beyond_32_bits_keep_their_size() -> None:
+    values = np.array([0, 2**31, 2**40, 2**40 + 2**33])
+    found = _unpacked({"frames": values})["frames"]
+    assert np.abs(found - values).max() <= values.max() / 2 / 65534 * 1.01
+
+
 def test_node_agrees() -> None:
     tests = sorted(_TESTS.glob("*.test.js"))
     assert tests

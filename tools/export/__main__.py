@@ -4,6 +4,7 @@ import argparse
 import sys
 from pathlib import Path
 
+from tools.arguments import Parser
 from tools.export.lcm_schema import SchemaError
 from tools.export.run_files import read_run_files
 from tools.export.to_mcap import write_mcap
@@ -12,22 +13,15 @@ from tools.export.to_tables import write_tables
 from tools.plots.messages import MissingGeneratorError
 from tools.plots.read_run import RunFolderError
 
-_EXIT_USAGE, _EXIT_BAD_INPUT, _EXIT_LACKS, _EXIT_INTERRUPTED = 64, 65, 69, 130
+_EXIT_BAD_INPUT, _EXIT_LACKS, _EXIT_INTERRUPTED = 65, 69, 130
 
 # By format: what it becomes within the run folder.
 _DEFAULT_OUT = {"mcap": "run.mcap", "rerun": "run.rrd", "csv": "csv", "parquet": "parquet"}
 
 
-class _Parser(argparse.ArgumentParser):
-    def error(self, message: str):
-        self.print_usage(sys.stderr)
-        self.exit(_EXIT_USAGE, f"{self.prog}: {message}\n  remedy: see surefoot export --help\n")
-
-
 def _parser() -> argparse.ArgumentParser:
-    parser = _Parser(
+    parser = Parser(
         prog="surefoot export",
-        formatter_class=argparse.RawDescriptionHelpFormatter,
         description="Writes a recorded run for other programs. The logs in the run folder stay the primary record.",
         epilog="""\
 Formats:

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import matplotlib.pyplot as plt
 
+from tools.arguments import Parser
 from tools.plots import look
 from tools.plots.figures import controllers, foot_references, joint_torques, overview, payload_force, torso_angles, zmp
 from tools.plots.messages import MissingGeneratorError
@@ -25,17 +26,11 @@ FIGURES = {
 FLOOR_FIGURES = {"controllers": controllers}
 _ALL = FIGURES | FLOOR_FIGURES
 
-_EXIT_USAGE, _EXIT_BAD_INPUT, _EXIT_LACKS = 64, 65, 69
-
-
-class _Parser(argparse.ArgumentParser):
-    def error(self, message: str):
-        self.print_usage(sys.stderr)
-        self.exit(_EXIT_USAGE, f"{self.prog}: {message}\n")
+_EXIT_BAD_INPUT, _EXIT_LACKS = 65, 69
 
 
 def _parser() -> argparse.ArgumentParser:
-    parser = _Parser(
+    parser = Parser(
         prog="surefoot plot",
         description="Draws PNG pictures of recorded runs into their folders.",
         epilog="example: tools/surefoot plot runs/demo --from 0 --to 8",

@@ -4,16 +4,7 @@ import re
 
 from tools.export.lcm_schema import Field, Schema, schemas
 from tools.reference.markdown import cell, code, page, table
-
-_UNITS = {
-    "_rad_s": "rad/s", "_m_s": "m/s", "_n_s": "N s", "_rad": "rad", "_deg": "deg", "_nm": "N m", "_m": "m", "_n": "N",
-    "_kg": "kg", "_us": "µs", "_s": "s", "_percent": "%", "_ticks": "ticks", "utime": "µs",
-}  # fmt: skip
-
-
-def unit(name: str) -> str:
-    """Of a field, by the suffix of its name."""
-    return next((unit for suffix, unit in _UNITS.items() if name.endswith(suffix)), "")
+from tools.report.labels import unit
 
 
 def _row(field: Field) -> list[str]:

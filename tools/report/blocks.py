@@ -43,14 +43,19 @@ def _quantised(values: np.ndarray) -> tuple[np.ndarray, float, float]:
     return codes, scale, offset
 
 
+def _fits_32_bits(values: np.ndarray) -> bool:
+    bounds = np.iinfo(np.int32)
+    return not values.size or (values.min() >= bounds.min and values.max() <= bounds.max)
+
+
 def add_columns(blocks: Blocks, name: str, columns: dict[str, np.ndarray]) -> list[dict]:
     """Packs columns of one length into one block, and says how to read each of them.
 
-    Whole numbers keep their value (32 bits); others are quantised to 1/65534 of the column's range.
+    Whole numbers keep their value where 32 bits hold it; others are quantised to 1/65534 of the column's range.
     """
     content, described = [], []
     for index, (column, values) in enumerate(columns.items()):
-        is_whole = values.dtype.kind in "iub"
+        is_whole = values.dtype.kind in "iub" and _fits_32_bits(values)
         codes, scale, offset = (values.astype(np.int32), 1.0, 0.0) if is_whole else _quantised(values.astype(float))
         content.append(_planes(codes))
         described.append(

@@ -9,8 +9,8 @@ CORNERS = ("front left", "front right", "rear left", "rear right")
 # Longest first: `_rad_s` is no `_s`.
 _UNITS = (
     ("_n_m", "N m"), ("_nm", "N m"), ("_rad_s", "rad/s"), ("_m_s2", "m/s2"), ("_m_s", "m/s"), ("_n_s", "N s"),
-    ("_rad", "rad"), ("_deg", "deg"), ("_percent", "%"), ("_us", "us"), ("_kg", "kg"), ("_n", "N"), ("_m", "m"),
-    ("_s", "s"),
+    ("_rad", "rad"), ("_deg", "deg"), ("_percent", "%"), ("_us", "µs"), ("_kg", "kg"), ("_n", "N"), ("_m", "m"),
+    ("_s", "s"), ("_ns", "ns"), ("_ticks", "ticks"), ("utime", "µs"),
 )  # fmt: skip
 _INDEX = re.compile(r"\[(\d+)\]")
 

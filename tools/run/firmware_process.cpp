@@ -13,6 +13,7 @@
 #include "firmware/host/recorded_bus.hpp"
 #include "tools/run/bus_report_json.hpp"
 #include "tools/run/fault_teller.hpp"
+#include "tools/run/histogram_json.hpp"
 #include "tools/run/firmware_recorder.hpp"
 #include "tools/run/open_recorder.hpp"
 #include "tools/run/run_folder.hpp"
@@ -25,7 +26,8 @@ using Json = nlohmann::ordered_json;
 
 Json json_of(const host::DurationSummary& durations) {
   return {
-      {"count", durations.count}, {"p50", durations.p50_us}, {"p999", durations.p999_us}, {"max", durations.max_us}};
+      {"count", durations.count}, {"mean", durations.mean_us}, {"p50", durations.p50_us}, {"p999", durations.p999_us}, {"max", durations.max_us},
+      {"histogram", histogram_json(durations.bins)}};
 }
 
 /// Lets the teller hear what the recorder hears.

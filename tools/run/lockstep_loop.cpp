@@ -84,9 +84,11 @@ Verdict LockstepLoop::finish() {
   Verdict verdict = judge_.verdict(was_interrupted_);
   verdict.allocations_in_loop = allocations_;
   verdict.allocations_were_counted = host::allocation_guard::is_available();
+  verdict.tick_us_mean = tick_times_.mean_us();
   verdict.tick_us_p50 = tick_times_.p50_us();
   verdict.tick_us_p999 = tick_times_.p999_us();
   verdict.tick_us_max = tick_times_.max_us();
+  verdict.tick_bins = tick_times_.bins();
   verdict.real_time_factor = static_cast<double>(tick_) * period_s_ / wall_s_;
   verdict.frames_sent = watch_.frames();
   verdict.frames_lost = frames_lost();

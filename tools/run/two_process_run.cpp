@@ -14,6 +14,7 @@
 #include "tools/run/bus_watch.hpp"
 #include "tools/run/candump_log.hpp"
 #include "tools/run/child_process.hpp"
+#include "tools/run/histogram_json.hpp"
 #include "tools/run/log_judge.hpp"
 #include "tools/run/run_folder.hpp"
 #include "tools/run/schedule.hpp"
@@ -94,9 +95,11 @@ void fill_in_counters(const TwoProcessOptions& options, Verdict& verdict) {
   const nlohmann::json robot = read_json(options.folder / "robot" / "robot.json");
   verdict.allocations_were_counted = !firmware["allocations_in_loop"].is_null();
   if (verdict.allocations_were_counted) verdict.allocations_in_loop = firmware["allocations_in_loop"];
+  verdict.tick_us_mean = firmware["tick_us"]["mean"];
   verdict.tick_us_p50 = firmware["tick_us"]["p50"];
   verdict.tick_us_p999 = firmware["tick_us"]["p999"];
   verdict.tick_us_max = firmware["tick_us"]["max"];
+  verdict.tick_bins = bins_of(firmware["tick_us"]["histogram"]);
   verdict.real_time_factor = firmware["real_time_factor"];
   verdict.frames_sent = std::uint64_t{firmware["frames"]["sent"]} + std::uint64_t{robot["frames_sent"]};
   std::uint64_t rejected = 0;

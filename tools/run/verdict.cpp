@@ -5,6 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "tools/run/histogram_json.hpp"
+
 namespace surefoot::run {
 namespace {
 
@@ -114,7 +116,12 @@ std::string to_json(const Verdict& verdict) {
       {"unreachable_ticks", verdict.unreachable_ticks},
       {"bus_log_sha256", verdict.bus_log_sha256},
       {"allocations_in_loop", verdict.allocations_were_counted ? Json(verdict.allocations_in_loop) : Json(nullptr)},
-      {"tick_us", {{"p50", verdict.tick_us_p50}, {"p999", verdict.tick_us_p999}, {"max", verdict.tick_us_max}}},
+      {"tick_us",
+       {{"mean", verdict.tick_us_mean},
+        {"p50", verdict.tick_us_p50},
+        {"p999", verdict.tick_us_p999},
+        {"max", verdict.tick_us_max},
+        {"histogram", histogram_json(verdict.tick_bins)}}},
       {"real_time_factor", verdict.real_time_factor},
       {"frames_sent", verdict.frames_sent},
       {"frames_lost", verdict.frames_lost},

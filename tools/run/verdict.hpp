@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "firmware/core/joints.hpp"
+#include "firmware/host/tick_histogram.hpp"
 #include "tools/run/exit_code.hpp"
 
 namespace surefoot::run {
@@ -96,7 +97,8 @@ struct Verdict {
   std::string bus_log_sha256;
   std::uint64_t allocations_in_loop = 0;
   bool allocations_were_counted = false;
-  double tick_us_p50 = 0.0, tick_us_p999 = 0.0, tick_us_max = 0.0;
+  double tick_us_mean = 0.0, tick_us_p50 = 0.0, tick_us_p999 = 0.0, tick_us_max = 0.0;
+  host::TickHistogram::Bins tick_bins{};
   double real_time_factor = 0.0;
   std::uint64_t frames_sent = 0;
   std::uint64_t frames_lost = 0;  ///< refused, rejected or missing on either side, or not recorded; a damaged frame

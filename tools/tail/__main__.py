@@ -8,6 +8,7 @@ from pathlib import Path
 
 import lcm
 
+from tools.arguments import Parser
 from tools.plots.messages import MissingGeneratorError, message_types
 from tools.tail.event_line import event_line
 
@@ -17,14 +18,8 @@ _BAD_INPUT, _MACHINE_LACKS, _INTERRUPTED = 65, 69, 130
 _LISTEN_MS = 200  # how soon an interrupt is heard
 
 
-class _Parser(argparse.ArgumentParser):
-    def error(self, message: str) -> None:
-        sys.stderr.write(f"surefoot tail: {message}\n  remedy: see tools/surefoot tail --help\n")
-        sys.exit(64)
-
-
 def _arguments(given: list[str]) -> argparse.Namespace:
-    parser = _Parser(
+    parser = Parser(
         prog="surefoot tail",
         description="Prints a run's events: of a recorded run, or as they come over LCM until Ctrl-C.",
         epilog="Exit codes: 0, 64 usage, 65 no run there, 69 something the machine lacks, 130 interrupted.\n"
@@ -32,7 +27,6 @@ def _arguments(given: list[str]) -> argparse.Namespace:
         "  tools/surefoot tail runs/demo\n"
         "  tools/surefoot tail & tools/surefoot run --live --pace 1\n"
         "  tools/surefoot tail runs/demo --json | grep payload",
-        formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("run", type=Path, metavar="RUN", nargs="?", help="run folder, or an LCM event log; default: live")
     parser.add_argument("--url", default=_URL, help="where to listen (default: where `surefoot run --live` publishes)")

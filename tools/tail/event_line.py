@@ -3,7 +3,7 @@
 import math
 import re
 
-from tools.report.pack_run import fault_help
+from tools.report.scenario_view import fault_help
 
 _RED, _YELLOW, _BLUE, _PLAIN = "\033[31m", "\033[33m", "\033[34m", "\033[0m"
 

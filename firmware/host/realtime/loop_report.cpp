@@ -5,7 +5,7 @@
 namespace surefoot::host {
 
 DurationSummary summarise(const TickHistogram& histogram) noexcept {
-  return {histogram.count(), histogram.p50_us(), histogram.p999_us(), histogram.max_us()};
+  return {histogram.count(), histogram.p50_us(), histogram.p999_us(), histogram.max_us(), histogram.mean_us(), histogram.bins()};
 }
 
 LoopReport report_of(std::int64_t ticks, const PeriodGrid& grid, const TickHistogram& wake_up,

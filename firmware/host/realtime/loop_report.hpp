@@ -9,12 +9,14 @@
 
 namespace surefoot::host {
 
-/// Three figures of a histogram; percentiles at most 1/128 too high.
+/// A histogram in short; percentiles at most 1/128 too high.
 struct DurationSummary {
   std::uint64_t count = 0;
   double p50_us = 0.0;
   double p999_us = 0.0;
   double max_us = 0.0;
+  double mean_us = 0.0;
+  TickHistogram::Bins bins{};
 
   friend bool operator==(const DurationSummary&, const DurationSummary&) = default;
 };

@@ -10,6 +10,7 @@ namespace {
 TEST(TickHistogram, IsAllZeroWhileEmpty) {
   const TickHistogram histogram;
   EXPECT_EQ(histogram.count(), 0U);
+  EXPECT_EQ(histogram.mean_us(), 0.0);
   EXPECT_EQ(histogram.p50_us(), 0.0);
   EXPECT_EQ(histogram.p999_us(), 0.0);
   EXPECT_EQ(histogram.max_us(), 0.0);
@@ -25,6 +26,7 @@ TEST(TickHistogram, GivesNearestRankPercentilesToOnePartIn128AndTheMaximumExactl
   EXPECT_GE(histogram.p999_us(), 999.0);
   EXPECT_LE(histogram.p999_us(), 1000.0);
   EXPECT_DOUBLE_EQ(histogram.max_us(), 1000.0);
+  EXPECT_DOUBLE_EQ(histogram.mean_us(), 500.5);
 }
 
 TEST(TickHistogram, OneOutlierInAThousandIsTheMaximumAndNotTheMedian) {
@@ -34,6 +36,28 @@ TEST(TickHistogram, OneOutlierInAThousandIsTheMaximumAndNotTheMedian) {
   EXPECT_DOUBLE_EQ(histogram.p50_us(), 0.1);
   EXPECT_DOUBLE_EQ(histogram.p999_us(), 0.1);
   EXPECT_DOUBLE_EQ(histogram.percentile_us(1.0), 5000.0);
+}
+
+TEST(TickHistogram, BinsJoinAndCountEveryDurationOnce) {
+  TickHistogram histogram;
+  for (const std::int64_t ns : {0, 31, 32, 127, 128, 159, 160, 5000, 5001}) histogram.add(ns);
+  const TickHistogram::Bins bins = histogram.bins();
+  EXPECT_EQ(bins[0], 2U);  // 0 to 31 ns
+  EXPECT_EQ(bins[1], 1U);
+  EXPECT_EQ(bins[3], 1U);  // 96 to 127 ns
+  EXPECT_EQ(bins[4], 2U);  // 128 to 159 ns
+  EXPECT_EQ(bins[5], 1U);
+  std::uint64_t sum = 0;
+  for (std::size_t bin = 0; bin < bins.size(); ++bin) {
+    sum += bins[bin];
+    EXPECT_LT(TickHistogram::bin_begin_us(bin), TickHistogram::bin_begin_us(bin + 1));
+    if (bins[bin] == 2 && bin > 4) {
+      EXPECT_LE(TickHistogram::bin_begin_us(bin), 5.0);
+      EXPECT_GT(TickHistogram::bin_begin_us(bin + 1), 5.001);
+    }
+  }
+  EXPECT_EQ(sum, histogram.count());
+  EXPECT_DOUBLE_EQ(TickHistogram::bin_begin_us(5), 0.160);
 }
 
 TEST(TickHistogram, CountsImpossibleDurationsAtItsEnds) {

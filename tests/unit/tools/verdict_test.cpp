@@ -39,9 +39,11 @@ Verdict full_verdict() {
   verdict.events = {{"payload_attached", 1.2}, {"payload_detected", 1.251}};
   verdict.bus_log_sha256 = std::string(64, 'a');
   verdict.allocations_were_counted = true;
+  verdict.tick_us_mean = 3.75;
   verdict.tick_us_p50 = 3.5;
   verdict.tick_us_p999 = 7.25;
   verdict.tick_us_max = 90.5;
+  verdict.tick_bins[4] = 3;
   verdict.real_time_factor = 64.0;
   verdict.peak_torque_nm = {1.0, 2.0, 3.0, 4.0, 5.0, 6.0};
   verdict.foot_slip_mm = 18.5;
@@ -101,7 +103,7 @@ TEST(VerdictJson, HoldsTheNamesAndValuesThatScriptsRead) {
   EXPECT_NEAR(verdict.at("cycles_after_recovery").get<double>(), 2.955, 1e-9);
   EXPECT_EQ(verdict.at("bus_log_sha256"), std::string(64, 'a'));
   EXPECT_EQ(verdict.at("allocations_in_loop"), 0);
-  EXPECT_EQ(verdict.at("tick_us"), json({{"p50", 3.5}, {"p999", 7.25}, {"max", 90.5}}));
+  EXPECT_EQ(verdict.at("tick_us"), json({{"mean", 3.75}, {"p50", 3.5}, {"p999", 7.25}, {"max", 90.5}, {"histogram", {{0.128, 0.16, 3}}}}));
   EXPECT_EQ(verdict.at("real_time_factor"), 64.0);
   EXPECT_EQ(verdict.at("foot_slip_mm"), 18.5);
   EXPECT_EQ(verdict.at("frames_sent"), 160'320);

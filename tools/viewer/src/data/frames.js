@@ -18,19 +18,19 @@ export class Frames {
   async open(chunk) {
     if (!this.opened.has(chunk.block)) {
       if (this.opened.size > 4) this.opened.clear();
-      this.opened.set(chunk.block, readChunk(await block(chunk.block)));
+      this.opened.set(chunk.block, readChunk(await block(chunk.block), Math.round(chunk.from_s * 1e6)));
     }
     return this.opened.get(chunk.block);
   }
 }
 
 /** Number of frames, then of all frames time step, identifier and length, then all payloads (tools/report/pack_run.py). */
-export function readChunk(bytes) {
+export function readChunk(bytes, from_us = 0) {
   const view = new DataView(bytes.buffer, bytes.byteOffset);
   const count = view.getUint32(0, true);
   const [times, ids, lengths] = [4, 4 + 4 * count, 4 + 6 * count];
   let at = 4 + 7 * count;
-  let time_us = 0;
+  let time_us = from_us;
   const frames = [];
   for (let i = 0; i < count; i++) {
     time_us += view.getInt32(times + 4 * i, true);

@@ -1,6 +1,6 @@
 import { block, decodeColumn } from "./blocks.js";
 
-/** A table of the run: columns over one time, decoded when they are first asked for. */
+/** A table of a recorded run: columns over one time, decoded when they are first asked for. */
 export class Table {
   constructor(described, time_s) {
     this.name = described.name;

@@ -6,20 +6,20 @@ const MOST_FRAMES = 400;
 /** Load and response times by message, and the frames around the page's instant. */
 export function busPage(run, axis) {
   const page = element("div", "bus");
-  page.append(...(run.bus ? run.bus.buses.map((bus, i) => budget(bus, i, run.bus.buses.length)) : [element("p", "", "No budget: this scenario's bus cannot be computed.")]));
-  page.append(run.frames ? framesAround(new Frames(run.frames), axis) : element("p", "", "This report was made without frames (--no-frames)."));
+  page.append(...(run.bus ? run.bus.buses.map((bus, i) => budget(bus, i, run.bus.buses.length)) : [element("p", "note", "No budget: this run's scenario.toml is missing or of another version.")]));
+  page.append(run.frames ? framesAround(new Frames(run.frames), axis) : element("p", "note", run.is_live ? "The frames themselves are in bus.log of the run's folder; surefoot report shows them." : "This report was made without frames (--no-frames), or the run's bus.log holds none."));
   return page;
 }
 
 function budget(bus, number, count) {
   const rows = bus.identifiers.map((stream) => {
     const bar = element("div", "bar", element("div", "worst"), element("div", "observed"));
-    const share = (us) => `${Math.min(100, (100 * us) / (stream.period_us || 1000))}%`;
-    bar.children[0].style.width = share(stream.worst_case_us ?? 0);
-    bar.children[1].style.width = share(stream.observed_us ?? 0);
+    const share = (us) => `${Math.min(100, (100 * (us ?? 0)) / stream.period_us)}%`;
+    bar.children[0].style.width = share(stream.worst_case_us);
+    bar.children[1].style.width = share(stream.observed_us);
     bar.title = "share of the deadline: worst case, and the darker observed";
     return [stream.identifier, stream.name, String(stream.bytes), figure(stream.transmission_us, 1), figure(stream.worst_case_us, 1),
-      figure(stream.observed_us, 1), stream.period_us ? figure(stream.period_us, 0) : "–", bar];
+      figure(stream.observed_us, 1), stream.period_us ? figure(stream.period_us, 0) : "–", stream.period_us ? bar : "no deadline"];
   });
   return element(
     "section", "", element("h3", "", `Bus ${number + 1} of ${count}: load ${figure(bus.load_percent, 1)} %, at worst ${figure(bus.worst_load_percent, 1)} %`),

@@ -1,9 +1,8 @@
+import { kindOf } from "../data/event_codes.js";
 import { element } from "./element.js";
 
 const NAME_SHARE = 0.075; // of the width, for a name
-const KINDS = [
-  [/fault|fell|lost/, "bad"], [/payload|push/, "world"], [/./, "sequence"],
-];
+const FLIP_SHARE = 0.93; // from here on names stand left of their instant
 
 /** Events of all runs over the shown range; a click goes there. */
 export class Timeline {
@@ -13,7 +12,8 @@ export class Timeline {
     this.now = element("div", "now");
     this.strip = element("div", "strip", ...this.lanes, this.now);
     container.append(this.strip);
-    this.ticks = runs.flatMap((run, number) => run.events.map((event) => this.tick(event, this.lanes[number])));
+    this.ticks = [];
+    runs.forEach((run, number) => run.events.forEach((event) => this.tick(event, number)));
     this.strip.addEventListener("pointerdown", (down) => {
       if (down.target.closest(".tick")) return;
       this.go(down);
@@ -24,13 +24,14 @@ export class Timeline {
     this.place();
   }
 
-  tick(event, lane) {
-    const kind = KINDS.find(([pattern]) => pattern.test(event.name))[1];
-    const tick = element("button", `tick ${kind}`, element("span", "", event.name.replaceAll("_", " ")));
+  /** @param {number} number  of the run */
+  tick(event, number) {
+    const lane = this.lanes[number];
+    const tick = element("button", `tick ${kindOf(event)}`, element("span", "", event.name.replaceAll("_", " ")));
     tick.title = `${event.name} at ${event.time_s.toFixed(3)} s, value ${event.value}`;
     tick.addEventListener("click", () => this.axis.set(event.time_s));
     lane.append(tick);
-    return { tick, lane, time_s: event.time_s };
+    this.ticks.push({ tick, lane, time_s: event.time_s });
   }
 
   share(time_s) {
@@ -54,6 +55,7 @@ export class Timeline {
       tick.style.left = `${100 * share}%`;
       const row = ends.findIndex((end) => end <= share);
       tick.classList.toggle("nameless", row < 0);
+      tick.classList.toggle("flipped", share > FLIP_SHARE);
       if (!tick.hidden && row >= 0) ends[row] = share + NAME_SHARE;
       tick.style.setProperty("--row", row);
     }

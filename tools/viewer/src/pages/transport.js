@@ -13,7 +13,12 @@ export function transport(axis) {
   play.addEventListener("click", () => axis.play(!axis.isPlaying));
   speed.addEventListener("change", () => (axis.speed = Number(speed.value)));
   all.addEventListener("click", () => axis.showAll());
+  const live = element("button", "follow", "follow");
+  live.title = "show what comes";
+  live.hidden = !axis.isLive;
+  live.addEventListener("click", () => axis.follow());
   const show = () => {
+    live.classList.toggle("chosen", axis.isFollowing);
     clock.textContent = `${axis.time_s.toFixed(3)} s`;
     play.textContent = axis.isPlaying ? "❚❚" : "▶";
     range.textContent = `shown ${axis.range.map((time_s) => time_s.toFixed(2)).join(" to ")} s`;
@@ -28,6 +33,6 @@ export function transport(axis) {
     else if (key.key === "ArrowLeft") axis.set(axis.time_s - step_s);
     else return;
     key.preventDefault();
-  });
-  return element("div", "transport", play, clock, speed, all, range);
+  }, { signal: axis.closed });
+  return element("div", "transport", play, clock, speed, all, live, range);
 }

@@ -5,6 +5,7 @@ const span = (range) => (range ? `${figure(range.min)} to ${figure(range.max)}` 
 /** Verdict and key figures of a run, one line. */
 export function verdictLine(run) {
   const verdict = run.verdict;
+  if (run.is_live && !verdict) return liveLine(run);
   if (!verdict) {
     return element("div", "verdict interrupted", element("b", "", "interrupted"), ` no verdict.json in ${run.name}: shown is what was recorded until then`);
   }
@@ -19,4 +20,10 @@ export function verdictLine(run) {
     "div", `verdict ${verdict.verdict}`, element("b", "", verdict.verdict), element("span", "name", run.name), element("span", "reason", verdict.reason),
     element("span", "figures", ...figures.map(([name, value]) => element("span", "", element("i", "", name), ` ${value}`))),
   );
+}
+
+/** A run that is going on; `live` is filled by what comes. */
+function liveLine(run) {
+  run.live_state = element("span", "figures", "");
+  return element("div", "verdict live", element("b", "", "live"), element("span", "name", run.name), run.live_state);
 }

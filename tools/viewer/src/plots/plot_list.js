@@ -36,10 +36,14 @@ export function plotList(joint) {
       ],
     },
     {
+      title: "ZMP left", unit: "mm", series: [{ table: "state", column: "zmp_y_body_m", label: "measured", factor: 1000 }],
+    },
+    {
       title: "Feet ahead of the body", unit: "mm",
       series: [
         ...ofLegs("foot_reference_m[#][0]", "reference", 1000),
         { table: "state", column: "reference_x_body_m", label: "midpoint", factor: 1000 },
+        { table: "state", column: "adaptation_m", label: "adaptation", factor: 1000 },
       ],
     },
     {
@@ -52,7 +56,13 @@ export function plotList(joint) {
         ...ofLegs(`joint_reference_rad[#][${j}]`, "reference", DEG),
       ],
     },
-    { title: `Torque, ${name}`, unit: "N m", series: ofLegs(`torque_command_nm[#][${j}]`, "command") },
+    {
+      title: `Torque, ${name}`, unit: "N m",
+      series: [
+        ...ofLegs(`torque_command_nm[#][${j}]`, "command"),
+        ...LEGS.map((leg, i) => ({ table: "truth", column: `torque_nm[${i}][${j}]`, label: `${leg} applied` })),
+      ],
+    },
     { title: "Slip of the feet, summed", unit: "mm", series: [{ table: "truth", column: "slip_m", label: "slip", factor: 1000 }] },
     {
       title: "Stabiliser: ankle pitch, sum", unit: "deg",
@@ -61,6 +71,14 @@ export function plotList(joint) {
     {
       title: "Stabiliser: ankle roll, sum", unit: "deg",
       series: LEGS.map((leg, i) => ({ table: "stabilizer", column: `ankle_roll_rad[17][${i}]`, label: leg, factor: DEG })),
+    },
+    { title: "Bus load", unit: "%", series: [{ table: "bus", column: "load_percent", label: "since power-up" }] },
+    {
+      title: "Computing time of a tick", unit: "µs",
+      series: [
+        { table: "timing", column: "tick_p50_us", label: "median" },
+        { table: "timing", column: "tick_p999_us", label: "99.9 %" },
+      ],
     },
   ];
 }

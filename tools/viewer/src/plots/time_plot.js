@@ -1,5 +1,6 @@
 import uPlot from "uplot";
 import { decimate } from "../data/decimate.js";
+import { element } from "../pages/element.js";
 
 const HEIGHT_PX = 150;
 const SYNC = uPlot.sync("surefoot");
@@ -10,12 +11,11 @@ export const COLOURS = ["#2f7ed8", "#e07b39", "#3aa655", "#b05cc4"];
 /** One plot over the page's time: drag to zoom, click to go there, double click to see all. */
 export class TimePlot {
   /**
-   * @param {HTMLElement} container
    * @param {{title: string, unit: string, series: object[]}} described
    * @param {import("../data/run.js").Run[]} runs
    * @param {import("../time_axis.js").TimeAxis} axis
    */
-  constructor(container, described, runs, axis) {
+  constructor(described, runs, axis) {
     Object.assign(this, { described, axis });
     this.lines = runs.flatMap((run, number) =>
       described.series
@@ -24,9 +24,8 @@ export class TimePlot {
     );
     this.element = document.createElement("section");
     this.element.className = "plot";
-    this.element.innerHTML = `<header><h3>${described.title} <small>${described.unit}</small></h3><div class="legend"></div></header>`;
-    this.legend = this.element.querySelector(".legend");
-    container.append(this.element);
+    this.legend = element("div", "legend");
+    this.element.append(element("header", "", element("h3", "", `${described.title} `, element("small", "", described.unit)), this.legend));
   }
 
   get isEmpty() {
@@ -45,7 +44,7 @@ export class TimePlot {
         scales: { x: { time: false } },
         axes: [
           { stroke: ink, grid, ticks: grid, values: (_, ticks) => ticks.map((tick) => `${tick} s`) },
-          { stroke: ink, grid, ticks: grid, size: 56 },
+          { stroke: ink, grid, ticks: grid, size: 56, space: 22 },
         ],
         series: [{}, ...this.lines.map((line) => this.styled(line))],
         hooks: {
@@ -56,8 +55,33 @@ export class TimePlot {
       },
       this.data(), this.element,
     );
-    this.axis.on((what) => (what === "range" ? this.redraw() : what === "time" && this.showInstant()));
+    this.stopListening = this.axis.on((what) => what !== "play" && this.show(what));
+    // Of the element, not of the window: behind another tab it has no width.
+    this.watched = new ResizeObserver(() => this.resize());
+    this.watched.observe(this.element);
+    // What is scrolled out of sight is drawn when it comes into sight: that is most of the page.
+    this.seen = new IntersectionObserver(([entry]) => {
+      this.isSeen = entry.isIntersecting;
+      if (this.isSeen) this.show("range");
+    });
+    this.seen.observe(this.element);
+    this.redraw();
     this.showInstant();
+  }
+
+  /** @param {"time" | "range"} what  has changed */
+  show(what) {
+    this.isOutdated ||= what === "range";
+    if (this.isSeen === false && !this.element.hidden) return;
+    if (this.isOutdated) this.redraw();
+    this.showInstant();
+  }
+
+  close() {
+    this.stopListening?.();
+    this.watched?.disconnect();
+    this.seen?.disconnect();
+    this.plot?.destroy();
   }
 
   styled(line) {
@@ -85,13 +109,21 @@ export class TimePlot {
   }
 
   redraw() {
-    this.plot.setData(this.data(), false);
+    this.isOutdated = false;
+    // A live run may have told nothing of this yet, or never will.
+    this.element.hidden = !this.lines.some((line) => line.source.rows > 0);
+    if (this.element.hidden) return;
     const [min, max] = this.axis.range;
-    this.plot.setScale("x", { min, max });
+    this.plot.batch(() => {
+      this.plot.setData(this.data(), false);
+      this.plot.setScale("x", { min, max });
+    });
   }
 
   resize() {
-    this.plot?.setSize({ width: this.width(), height: HEIGHT_PX });
+    if (this.element.clientWidth === 0 || this.plot.width === this.width()) return;
+    this.plot.setSize({ width: this.width(), height: HEIGHT_PX });
+    this.redraw();
   }
 
   zoom(plot) {
@@ -117,6 +149,7 @@ export class TimePlot {
   }
 
   showInstant() {
+    if (this.element.hidden) return;
     this.plot.redraw(false, false);
     this.legend.replaceChildren(
       ...this.lines.map((line) => {
@@ -124,7 +157,7 @@ export class TimePlot {
         const entry = document.createElement("span");
         entry.className = line.number === 0 ? "first" : "second";
         entry.style.setProperty("--line", line.colour);
-        entry.textContent = `${line.label} ${Number.isFinite(value) ? value.toFixed(2) : "-"}`;
+        entry.textContent = `${line.label} ${Number.isFinite(value) ? value.toFixed(2) : "–"}`;
         return entry;
       }),
     );

@@ -1,4 +1,5 @@
 import * as THREE from "three";
+import { piecesOnTiles } from "./plates.js";
 
 const SLAB_M = 0.02;
 const GRID_M = 0.5;
@@ -11,7 +12,7 @@ export function floorObject(floor, dark) {
   if (floor.tiles) group.add(tiles(floor.tiles, colour));
   else group.add(plane(colour));
   group.add(grid(dark ? 0x55606c : 0xb3bcc5, floor.tiles ? -0.002 : 0.002));
-  for (const plate of floor.plates) group.add(patch(plate));
+  for (const plate of floor.plates.flatMap((plate) => piecesOnTiles(plate, floor.tiles))) group.add(patch(plate));
   return group;
 }
 
@@ -54,11 +55,11 @@ function tiles({ edge_m, x0_m, y0_m, nx, ny, height_m }, colour) {
   return mesh;
 }
 
-function patch({ kind, centre_m, size_m, height_m }) {
+function patch({ kind, centre_m, size_m, height_m, base_m }) {
   const thick_m = Math.max(height_m, 0.001);
-  const material = new THREE.MeshLambertMaterial({ color: kind === "friction" ? 0x6aa5c9 : 0xc9a66a });
+  const material = new THREE.MeshLambertMaterial({ color: kind === "friction" ? 0x6aa5c9 : 0x8f9a58 });
   const mesh = new THREE.Mesh(new THREE.BoxGeometry(size_m[0], size_m[1], thick_m), material);
-  mesh.position.set(centre_m[0], centre_m[1], thick_m / 2);
+  mesh.position.set(centre_m[0], centre_m[1], base_m + thick_m / 2);
   if (kind === "ramp") {
     mesh.rotation.y = -Math.atan2(height_m, size_m[0]);
     mesh.position.z = 0;

@@ -8,13 +8,14 @@ const REFERENCES = both("joint_reference_rad", JOINTS);
 
 /** Makes ready what `poseAt` reads. */
 export async function loadPoses(run) {
-  await Promise.all([run.table("truth").load([...ANGLES, ...FORCES, ...PLACE, ...TURN]), run.table("state").load(REFERENCES)]);
+  await Promise.all([run.table("truth")?.load([...ANGLES, ...FORCES, ...PLACE, ...TURN]), run.table("state")?.load(REFERENCES)]);
 }
 
-/** The robot at an instant, as `RobotScene.setPose` takes it. */
+/** The robot at an instant, as `RobotScene.setPose` takes it; null while a run has told nothing yet. */
 export function poseAt(run, time_s) {
   const truth = run.table("truth");
   const state = run.table("state");
+  if (!truth?.rows || !state?.rows) return null;
   const row = truth.rowAt(time_s);
   const at = (names) => names.map((name) => truth.column(name)[row]);
   const [roll_rad, pitch_rad, yaw_rad] = at(TURN);

@@ -5,22 +5,20 @@ import URDFLoader from "urdf-loader";
 export class Robot {
   /**
    * @param {object} model  of `surefoot model --json`
-   * @param {{colour?: number, opacity?: number}} look  of a ghost; without it the URDF's own colours
+   * @param {{colour?: number, opacity?: number, isOutline?: boolean}} look  without it the URDF's own colours; an
+   *   outline shows through what it coincides with
    */
   constructor(model, look = {}) {
     this.names = model.joint_names;
     this.object = new URDFLoader().parse(model.urdf);
     this.object.rotation.order = "ZYX";
-    this.object.traverse((node) => {
-      if (!node.isMesh) return;
-      node.castShadow = !look.opacity;
-      if (look.opacity) {
-        node.material = new THREE.MeshBasicMaterial({
-          color: look.colour, transparent: true, opacity: look.opacity, depthWrite: false,
-          polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2, // behind what it coincides with
-        });
-      }
-    });
+    const meshes = [];
+    this.object.traverse((node) => node.isMesh && meshes.push(node));
+    for (const mesh of meshes) {
+      mesh.castShadow = !look.opacity;
+      if (look.isOutline) outline(mesh, look);
+      else if (look.opacity) mesh.material = new THREE.MeshLambertMaterial({ color: look.colour, transparent: true, opacity: look.opacity });
+    }
     this.soles = model.foot_links.map((name) => this.object.links[name]);
   }
 
@@ -35,4 +33,10 @@ export class Robot {
   solePoint(side, point_m) {
     return this.soles[side].localToWorld(new THREE.Vector3(...point_m));
   }
+}
+
+function outline(mesh, { colour, opacity }) {
+  const material = new THREE.LineBasicMaterial({ color: colour, transparent: true, opacity, depthTest: false });
+  mesh.add(new THREE.LineSegments(new THREE.EdgesGeometry(mesh.geometry, 25), material));
+  mesh.material = new THREE.MeshBasicMaterial({ visible: false });
 }

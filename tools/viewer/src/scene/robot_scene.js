@@ -2,12 +2,13 @@ import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { floorObject } from "./floor.js";
 import { Forces } from "./forces.js";
+import { Push } from "./push.js";
 import { Robot } from "./robot.js";
 
 const FORCE_COLOURS = [0xd8432f, 0xb05cc4];
-const GHOST = { colour: 0x2f7ed8, opacity: 0.22 };
+const GHOST = { colour: 0x2f7ed8, opacity: 0.75, isOutline: true };
 const OTHER_RUN = { colour: 0xb05cc4, opacity: 0.45 };
-const GHOST_OF_OTHER = { colour: 0xb05cc4, opacity: 0.12 };
+const GHOST_OF_OTHER = { colour: 0xb05cc4, opacity: 0.35, isOutline: true };
 
 /** Robots on their floor in the world frame, z up. The floor is that of the first model. */
 export class RobotScene {
@@ -31,7 +32,8 @@ export class RobotScene {
     this.controls.target.set(0, 0, 0.52);
     this.controls.addEventListener("change", () => this.render());
     this.light();
-    this.scene.add(floorObject(models[0].floor, dark), gravityArrow(models[0].floor));
+    this.gravity = gravityArrow(models[0].floor);
+    this.scene.add(floorObject(models[0].floor, dark), this.gravity);
     this.actors = models.map((model, number) => this.actor(model, number));
     this.followed = null;
   }
@@ -49,12 +51,13 @@ export class RobotScene {
       model, robot: new Robot(model, number === 0 ? {} : OTHER_RUN), ghost: new Robot(model, number === 0 ? GHOST : GHOST_OF_OTHER),
       forces: new Forces(FORCE_COLOURS[number]), payloads: model.payloads.map((payload) => payloadBox(payload, number === 0 ? 1 : OTHER_RUN.opacity)),
     };
+    actor.pushes = (model.pushes ?? []).map((push) => new Push(push));
     actor.payloads.forEach((box) => actor.robot.object.add(box));
-    this.scene.add(actor.robot.object, actor.ghost.object, actor.forces.object);
+    this.scene.add(...actor.pushes.map((push) => push.object), actor.robot.object, actor.ghost.object, actor.forces.object);
     return actor;
   }
 
-  /** @param {"ghost" | "forces" | "payload"} layer */
+  /** @param {"robot" | "ghost" | "forces"} layer */
   showLayer(layer, isShown) {
     for (const actor of this.actors) {
       if (layer === "ghost") actor.ghost.object.visible = isShown;
@@ -70,10 +73,11 @@ export class RobotScene {
    *   joint_rad: number[], reference_rad: number[], corner_force_n: number[]}} pose
    */
   setPose(number, pose) {
-    const { model, robot, ghost, forces, payloads } = this.actors[number];
+    const { model, robot, ghost, forces, payloads, pushes } = this.actors[number];
     robot.setPose(pose, pose.joint_rad);
     ghost.setPose(pose, pose.reference_rad);
     forces.set(robot, model.sole_corners_foot_m, pose);
+    for (const push of pushes) push.set(robot, pose.time_s);
     model.payloads.forEach(({ at_s, removed_at_s }, i) => {
       payloads[i].visible = pose.time_s >= at_s && (removed_at_s === null || pose.time_s < removed_at_s);
     });
@@ -88,6 +92,7 @@ export class RobotScene {
     this.sun.position.set(body.x + 1.2, body.y - 1.4, 3.2);
     this.sun.target.position.set(body.x, body.y, 0.4);
     this.camera.lookAt(this.controls.target);
+    this.gravity.position.set(body.x, body.y, 0);
     this.followed = body;
   }
 
@@ -97,8 +102,20 @@ export class RobotScene {
     return [0, 1].flatMap((side) => model.sole_corners_foot_m.map((corner_m) => robot.solePoint(side, corner_m).z));
   }
 
+  /** Where the first robot's foot frames lie in the world, as drawn: right, left. */
+  soles_m() {
+    return [0, 1].map((side) => this.actors[0].robot.solePoint(side, [0, 0, 0]).toArray());
+  }
+
   render() {
     this.renderer.render(this.scene, this.camera);
+  }
+
+  /** Gives the graphics context back: browsers have few. */
+  close() {
+    this.controls.dispose();
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
   }
 
   resize() {

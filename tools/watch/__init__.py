@@ -1,0 +1,1 @@
+"""`surefoot watch`: the run that is going on, in the browser."""
