@@ -3,6 +3,7 @@
 import json
 import os
 import subprocess
+from xml.etree import ElementTree
 
 import mujoco
 import numpy as np
@@ -147,3 +148,13 @@ def test_what_cannot_be_done_says_why() -> None:
     assert_refused(many, BAD_INPUT, "--extent holds")
     assert_refused(surefoot("model", "--json", "--urdf", "-"), USAGE, "surefoot model")
     assert surefoot("model", "--urdf", os.devnull + "/x").returncode == 69
+
+
+def test_limits_are_those_of_the_firmwares_gate():
+    lower_rad, upper_rad = [-0.1, -0.2, -0.3, -0.4, -0.5, -0.6], [0.11, 0.12, 0.13, 0.14, 0.15, 0.16]
+    gate = ["--set", f"gate.angle_min_rad={lower_rad}", "--set", f"gate.angle_max_rad={upper_rad}"]
+    urdf = ElementTree.fromstring(surefoot("model", *gate, "--set", "gate.torque_limit_nm=77", "--urdf", "-").stdout)
+    limits = [limit.attrib for limit in urdf.iterfind("./joint[@type='revolute']/limit")]
+    assert [float(limit["lower"]) for limit in limits] == 2 * lower_rad
+    assert [float(limit["upper"]) for limit in limits] == 2 * upper_rad
+    assert {float(limit["effort"]) for limit in limits} == {77.0}

@@ -87,7 +87,8 @@ run::ExitCode show(const ModelArguments& arguments) {
   }
   if (arguments.urdf.empty()) return write("-", summary(scenario));
   return write(arguments.urdf,
-               robot_model::to_urdf(scenario.robot, robot_model::link_tree(scenario.sim), scenario.sim));
+               robot_model::to_urdf(scenario.robot, robot_model::link_tree(scenario.sim), scenario.sim,
+                                    scenario.firmware.gate));
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ nlohmann::ordered_json model_json(const scenario::Scenario& scenario, const Exte
     corners.push_back(array_of(scenario.sim.geometry.corner_foot_m(static_cast<geometry::Corner>(corner))));
   }
   return {{"robot", scenario.robot},
-          {"urdf", to_urdf(scenario.robot, tree, scenario.sim)},
+          {"urdf", to_urdf(scenario.robot, tree, scenario.sim, scenario.firmware.gate)},
           {"joint_names", joints},
           {"foot_links", {"right_sole", "left_sole"}},
           {"link_mass_kg", masses},

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 #include <string_view>
 
 namespace surefoot::robot_model {
@@ -13,8 +12,6 @@ using geometry::Vector3;
 
 constexpr double kBracketKg = 0.1;  // lighter links are brackets between two axes, without a shape worth showing
 constexpr double kBracketRadiusM = 0.035;
-constexpr double kNoJointStopRad = std::numbers::pi;
-constexpr double kRateLimitRadS = 25.0;
 
 // fmt's shortest form that reads back to the same bits.
 std::string xyz(const Vector3& v) { return fmt::format("{} {} {}", v.x(), v.y(), v.z()); }
@@ -57,13 +54,14 @@ std::string link_text(const Link& link, const sim_hw::SimConfig& config) {
   return text + "  </link>\n";
 }
 
-std::string joint_text(const Link& link, double torque_limit_nm) {
+/// @param number  of the joint in a leg, hip yaw first
+std::string joint_text(const Link& link, std::size_t number, const safety::OutputGateConfig& gate) {
   return fmt::format(
       "  <joint name=\"{}\" type=\"revolute\">\n    <origin xyz=\"{}\" rpy=\"0 0 0\"/>\n    <parent link=\"{}\"/>\n"
       "    <child link=\"{}\"/>\n    <axis xyz=\"{}\"/>\n"
       "    <limit lower=\"{}\" upper=\"{}\" effort=\"{}\" velocity=\"{}\"/>\n  </joint>\n",
-      link.joint, xyz(link.joint_m), link.parent, link.name, xyz(link.axis), -kNoJointStopRad, kNoJointStopRad,
-      torque_limit_nm, kRateLimitRadS);
+      link.joint, xyz(link.joint_m), link.parent, link.name, xyz(link.axis), gate.angle_min_rad[number],
+      gate.angle_max_rad[number], gate.torque_limit_nm, gate.joint_rate_limit_rad_s);
 }
 
 std::string sole_text(const FixedFrame& sole) {
@@ -75,13 +73,13 @@ std::string sole_text(const FixedFrame& sole) {
 
 }  // namespace
 
-std::string to_urdf(const std::string& name, const LinkTree& tree, const sim_hw::SimConfig& config) {
+std::string to_urdf(const std::string& name, const LinkTree& tree, const sim_hw::SimConfig& config,
+                    const safety::OutputGateConfig& gate) {
   std::string text = fmt::format(
       "<?xml version=\"1.0\"?>\n<!-- Written by `surefoot model`. Masses, inertias and joints are the simulator's.\n"
-      "     Not in it: reflected rotor inertia (the largest is {} kg m2), friction of the joints, payloads. The "
-      "simulated\n"
-      "     joints have no stops; +-pi and {} rad/s only stand for that. -->\n<robot name=\"{}\">\n",
-      config.drive.rotor_inertia_kg_m2 * *std::ranges::max_element(config.drive.rotor_share), kRateLimitRadS, name);
+      "     Not in it: reflected rotor inertia (the largest is {} kg m2), friction of the joints, payloads. Limits are\n"
+      "     the firmware's; the simulated joints have no stops. -->\n<robot name=\"{}\">\n",
+      config.drive.rotor_inertia_kg_m2 * *std::ranges::max_element(config.drive.rotor_share), name);
   constexpr std::array<std::array<std::string_view, 2>, 4> kColours{{{"trunk", "0.16 0.33 0.47 1"},
                                                                      {"leg", "0.72 0.75 0.78 1"},
                                                                      {"joint", "0.25 0.27 0.30 1"},
@@ -89,9 +87,10 @@ std::string to_urdf(const std::string& name, const LinkTree& tree, const sim_hw:
   for (const auto& [colour, rgba] : kColours) {
     text += fmt::format("  <material name=\"{}\"><color rgba=\"{}\"/></material>\n", colour, rgba);
   }
+  std::size_t joints = 0;
   for (const Link& link : tree.links) {
     text += link_text(link, config);
-    if (!link.joint.empty()) text += joint_text(link, config.drive.torque_limit_nm);
+    if (!link.joint.empty()) text += joint_text(link, joints++ % kJointsPerLeg, gate);
   }
   for (const FixedFrame& sole : tree.soles) text += sole_text(sole);
   return text + "</robot>\n";

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "firmware/core/safety/output_gate.hpp"
 #include "tools/robot_model/link_tree.hpp"
 
 namespace surefoot::robot_model {
@@ -11,6 +12,8 @@ namespace surefoot::robot_model {
 /// foot frames. Reflected rotor inertia, friction of the joints and payloads are not in it.
 ///
 /// @param name  of the robot
-[[nodiscard]] std::string to_urdf(const std::string& name, const LinkTree&, const sim_hw::SimConfig&);
+/// @param gate  the firmware's, whose ranges stand as the joints' limits: the simulated joints have no stops
+[[nodiscard]] std::string to_urdf(const std::string& name, const LinkTree&, const sim_hw::SimConfig&,
+                                  const safety::OutputGateConfig& gate);
 
 }  // namespace surefoot::robot_model

@@ -73,8 +73,8 @@ class Feed:
         """Once a picture."""
         heard = self._listener.take()
         announced = heard.newest.get("SUREFOOT_RUN")
-        if announced is not None:
-            self._hear_of(Announcement.of(announced))
+        if announced is not None and (announcement := Announcement.of(announced)) is not None:
+            self._hear_of(announcement)
         if self._run is None:
             return
         self._pass_on(heard)

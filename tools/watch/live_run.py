@@ -25,6 +25,13 @@ _CHANNELS = list(TABLES)
 _MOST_EVENTS = 1000
 
 
+def _decoded(name: str, encoded: bytes) -> object | None:
+    """A message; nothing where it is of another type, of another version, or cut short."""
+    kind = getattr(message_types(), name)
+    is_whole = len(encoded) == schemas()[name].wire_dtype.itemsize and encoded[:8] == kind._get_packed_fingerprint()
+    return kind.decode(encoded) if is_whole else None
+
+
 def _text(characters: bytes) -> str:
     return bytes(characters).split(b"\0")[0].decode("utf-8", "replace")
 
@@ -37,9 +44,11 @@ class Announcement:
     started_ns: int
 
     @staticmethod
-    def of(encoded: bytes) -> "Announcement":
-        message = message_types().run_t.decode(encoded)
-        return Announcement(Path(_text(message.folder)), message.started_ns)
+    def of(encoded: bytes) -> "Announcement | None":
+        """Nothing of another version, or where the path was too long to be told."""
+        message = _decoded("run_t", encoded)
+        folder = Path(_text(message.folder)) if message else Path()
+        return Announcement(folder, message.started_ns) if folder.is_absolute() else None
 
 
 @dataclass
@@ -68,10 +77,10 @@ class LiveRun:
         return {"what": "run", "run": {**self.described, "events": self.events, "verdict": self.verdict}}
 
     def add_event(self, encoded: bytes) -> dict | None:
-        """The message for the page; nothing beyond the first thousand."""
-        if len(self.events) >= _MOST_EVENTS:
+        """The message for the page; nothing beyond the first thousand, and of what is no event."""
+        message = _decoded("event_t", encoded)
+        if message is None or len(self.events) >= _MOST_EVENTS:
             return None
-        message = message_types().event_t.decode(encoded)
         told = event(message.utime, message.code, message.name, message.value)
         self.events.append(told)
         return {"what": "event", "event": told}

@@ -12,6 +12,7 @@ export class Robot {
     this.names = model.joint_names;
     this.object = new URDFLoader().parse(model.urdf);
     this.object.rotation.order = "ZYX";
+    for (const joint of Object.values(this.object.joints)) joint.ignoreLimits = true; // a fall is drawn as it was
     const meshes = [];
     this.object.traverse((node) => node.isMesh && meshes.push(node));
     for (const mesh of meshes) {
