@@ -14,6 +14,8 @@ from pathlib import Path
 from browser import Opened, browser
 from command_line import ROOT, binary, wait_until
 
+_PATIENCE_S = 60.0  # of a browser that draws on a busy processor
+
 
 def _walk(folder: Path, arguments: list[str]) -> None:
     subprocess.run([binary(), "run", *arguments, "--live", "--out", folder], check=False, stdout=subprocess.DEVNULL)
@@ -55,8 +57,8 @@ def main() -> None:
             for number, walk in enumerate(walks):
                 run = Path(folder) / str(number)
                 _walk(run, walk.split())
-                wait_until(lambda run=run: str(run) == opened.page.inner_text(".verdict .name"))
-                wait_until(lambda: opened.page.inner_text(".verdict b") != "live")
+                wait_until(lambda run=run: str(run) == opened.page.inner_text(".verdict .name"), _PATIENCE_S)
+                wait_until(lambda: opened.page.inner_text(".verdict b") != "live", _PATIENCE_S)
                 opened.page.wait_for_function("() => window.surefoot.isSettled()")
                 told["walks"].append(_shown(opened))
             late = new_page()

@@ -13,6 +13,7 @@ export class Push {
     this.point = new THREE.Vector3(...point_body_m);
     [this.from_s, this.to_s] = [at_s, at_s + duration_s + AFTERGLOW_S];
     this.object = new THREE.ArrowHelper(this.direction, new THREE.Vector3(), this.length_m, 0xe07b39, 0.06, 0.04);
+    for (const part of [this.object.line, this.object.cone]) part.material.depthTest = false; // it begins inside the trunk
     this.object.visible = false;
   }
 

@@ -140,6 +140,6 @@ function gravityArrow(floor) {
   const group = new THREE.Group();
   if (floor.slope_roll_deg === 0 && floor.slope_pitch_deg === 0) return group;
   const down = new THREE.Vector3(...floor.gravity_world_m_s2).normalize();
-  group.add(new THREE.ArrowHelper(down, new THREE.Vector3(-0.4, 0.6, 0.9), 0.35, 0x667788, 0.08, 0.05));
+  group.add(new THREE.ArrowHelper(down, new THREE.Vector3(-0.5, 0, 1), 0.35, 0x667788, 0.08, 0.05));
   return group;
 }
