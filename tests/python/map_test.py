@@ -35,7 +35,7 @@ def _report(*arguments: object) -> subprocess.CompletedProcess:
 @pytest.fixture(scope="module")
 def swept(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Results of a sweep of four rows, and nothing else yet."""
-    folder = tmp_path_factory.mktemp("sweep")
+    folder = tmp_path_factory.mktemp("100 % sweep #")  # of characters that mean something in an address
     (folder / "friction.toml").write_text(_SWEEP)
     finished = surefoot("sweep", folder / "friction.toml", "--out", folder / "swept")
     assert finished.returncode == 0, finished.stderr
@@ -82,7 +82,8 @@ def test_a_cell_opens_its_run(mapped: Path, new_page: Callable[[], Opened]) -> N
     for number in range(4):
         opened.page.locator(".cell").nth(number).click()
         outcome = opened.page.locator(".cell").nth(number).inner_text()
-        opened.page.click("text=open this run")
+        with opened.page.expect_navigation():
+            opened.page.click("text=open this run")
         opened.page.evaluate("() => window.surefoot.ready")
         assert opened.page.inner_text(".verdict b") == outcome
         opened.page.go_back()
@@ -137,12 +138,16 @@ def test_damaged_results_are_refused(tmp_path: Path, text: str) -> None:
     assert_refused(_report(tmp_path), BAD_INPUT, tmp_path / "results.csv")
 
 
-def test_a_command_that_is_no_run_is_not_executed(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    "command",
+    ["touch {0}", "surefoot run --bus socketcan:can0", "surefoot run a.toml --out {0}", "surefoot run --set", "surefoot '"],
+)
+def test_a_command_that_no_sweep_writes_is_not_executed(tmp_path: Path, command: str) -> None:
     touched = tmp_path / "touched"
     (tmp_path / "results.csv").write_text(
-        f"row,seed,outcome,reason,command\r\n0,1,fell,it fell,touch {touched}\r\n", newline=""
+        f"row,seed,outcome,reason,command\r\n0,1,fell,it fell,{command.format(touched)}\r\n", newline=""
     )
-    assert_refused(_report(tmp_path), BAD_INPUT, tmp_path / "results.csv", "its command is no run")
+    assert_refused(_report(tmp_path), BAD_INPUT, tmp_path / "results.csv", "not one of a sweep")
     assert not touched.exists()
 
 

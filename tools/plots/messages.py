@@ -10,6 +10,9 @@ from functools import cache
 from pathlib import Path
 from types import ModuleType
 
+LIVE_URL = "udpm://239.255.76.67:7667?ttl=0"
+"""Where `--live` publishes: UDP multicast that does not leave this machine (firmware/host/live_publisher.hpp)."""
+
 _ROOT = Path(__file__).resolve().parents[2]
 _SCHEMAS = _ROOT / "lcm_types"
 _CACHE = _ROOT / ".cache" / "lcm_types"

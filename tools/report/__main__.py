@@ -6,6 +6,7 @@ import os
 import sys
 import time
 from pathlib import Path
+from urllib.parse import quote
 
 from tools.arguments import Parser
 from tools.plots.messages import MissingGeneratorError
@@ -90,7 +91,7 @@ def _map_page(arguments: argparse.Namespace, binary: Path, file: Path) -> tuple[
     finally:
         progress.end()
     reports = {
-        row["row"]: os.path.relpath(report_of(folder, row["row"]), file.resolve().parent)
+        row["row"]: quote(os.path.relpath(report_of(folder, row["row"]).resolve(), file.resolve().parent))
         for row in rows
         if is_recorded(folder, row["row"])
     }

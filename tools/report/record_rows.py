@@ -44,11 +44,7 @@ def record_rows(folder: Path, rows: list[dict], binary: Path, on_done: Callable[
 
 def _record(folder: Path, row: dict, binary: Path) -> None:
     out = report_of(folder, row["row"]).parent
-    words = shlex.split(row["command"])
-    if words[:2] != ["surefoot", "run"]:
-        raise RunFolderError(f"{folder / RESULTS}: row {row['row']}: its command is no run: {row['command']}\n"
-                             "  remedy: run the sweep again")  # fmt: skip
-    _finish([str(binary), *words[1:], "--out", str(out)], _ENDED, row)
+    _finish([str(binary), "run", *_run_arguments(folder, row), "--out", str(out)], _ENDED, row)
     verdict = read_verdict(out) or {}
     if verdict.get("verdict") != row["outcome"]:
         raise RunFolderError(
@@ -59,6 +55,22 @@ def _record(folder: Path, row: dict, binary: Path) -> None:
     _finish(report, (0,), row, {**os.environ, "PYTHONPATH": str(_ROOT), "SUREFOOT_BINARY": str(binary)})
     for log in ("bus.log", "telemetry.lcmlog"):  # 35 MB a row, and its command brings them back to the last bit
         (out / log).unlink()
+
+
+def _run_arguments(folder: Path, row: dict) -> list[str]:
+    """A scenario and what is set in it, as a sweep writes it; anything else is not executed: a file can come from anywhere."""
+    try:
+        words = shlex.split(row["command"])
+    except ValueError:
+        words = []
+    given = words[2:]
+    settings = given[1:] if given and not given[0].startswith("-") else given
+    if words[:2] != ["surefoot", "run"] or len(settings) % 2 or any(word != "--set" for word in settings[::2]):
+        raise RunFolderError(
+            f"{folder / RESULTS}: row {row['row']}: its command is not one of a sweep: {row['command']}\n"
+            "  remedy: run the sweep again"
+        )
+    return given
 
 
 def _finish(command: list[str], good: tuple[int, ...], row: dict, environment: dict | None = None) -> None:

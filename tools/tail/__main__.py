@@ -9,11 +9,10 @@ from pathlib import Path
 import lcm
 
 from tools.arguments import Parser
-from tools.plots.messages import MissingGeneratorError, message_types
+from tools.plots.messages import LIVE_URL, MissingGeneratorError, message_types
 from tools.tail.event_line import event_line
 
 _CHANNEL = "SUREFOOT_EVENT"
-_URL = "udpm://239.255.76.67:7667?ttl=0"
 _BAD_INPUT, _MACHINE_LACKS, _INTERRUPTED = 65, 69, 130
 _LISTEN_MS = 200  # how soon an interrupt is heard
 
@@ -29,7 +28,7 @@ def _arguments(given: list[str]) -> argparse.Namespace:
         "  tools/surefoot tail runs/demo --json | grep payload",
     )
     parser.add_argument("run", type=Path, metavar="RUN", nargs="?", help="run folder, or an LCM event log; default: live")
-    parser.add_argument("--url", default=_URL, help="where to listen (default: where `surefoot run --live` publishes)")
+    parser.add_argument("--url", default=LIVE_URL, help="where to listen (default: where `surefoot run --live` publishes)")
     parser.add_argument("--count", type=int, metavar="N", help="end after so many events")
     parser.add_argument("--json", action="store_true", help="a JSON object a line: time_s, name, value")
     return parser.parse_args(given)

@@ -13,14 +13,13 @@ from tornado.netutil import bind_sockets
 from tornado.web import Application, RequestHandler
 
 from tools.arguments import Parser
-from tools.plots.messages import MissingGeneratorError
+from tools.plots.messages import LIVE_URL, MissingGeneratorError
 from tools.report.blocks import Blocks
 from tools.report.page import page
 from tools.viewer_bundle import ViewerError
 from tools.watch.feed import Feed, Page
 from tools.watch.listener import Listener
 
-_URL = "udpm://239.255.76.67:7667?ttl=0"
 _PORT = 8642
 _PICTURES_HZ = 60
 _MACHINE_LACKS, _INTERRUPTED = 69, 130
@@ -41,7 +40,7 @@ def _arguments(given: list[str]) -> argparse.Namespace:
         "  tools/surefoot firmware --bus socketcan:can0 --clock wall --live --out runs/bench   # is heard as well",
     )
     parser.add_argument("--port", type=_port, default=_PORT, help=f"TCP port on 127.0.0.1 (default: {_PORT}; 0: any)")
-    parser.add_argument("--url", default=_URL, help="where to listen (default: where `--live` publishes)")
+    parser.add_argument("--url", default=LIVE_URL, help="where to listen (default: where `--live` publishes)")
     parser.add_argument("--json", action="store_true", help="say where the page is as a line of JSON")
     return parser.parse_args(given)
 
