@@ -111,6 +111,12 @@ def test_what_is_recorded_is_not_done_again(mapped: Path) -> None:
     assert len(reports) == 4 and not list(mapped.glob("rows/*/bus.log"))
 
 
+def test_after_the_sweep_ran_again_its_rows_are_recorded_again(mapped: Path) -> None:
+    (mapped / "results.csv").touch()
+    (mapped / "rows" / "2" / "report.html").unlink()
+    assert json.loads(_report(mapped, "--json").stdout)["rows_that_open"] == 4
+
+
 def test_failed_runs_only_or_none(mapped: Path, tmp_path: Path) -> None:
     sweep = tmp_path / "sweep"
     shutil.copytree(mapped, sweep, ignore=shutil.ignore_patterns("rows"))
@@ -131,7 +137,16 @@ def test_a_run_that_ends_otherwise_than_its_row_is_refused(mapped: Path, tmp_pat
 
 @pytest.mark.parametrize(
     "text",
-    ["", "row,a\r\n", "row,seed,outcome,reason,command\r\n", "row,outcome,reason,command\r\n0,fell\r\n", "a\r\n\x00\r\n"],
+    [
+        "row,outcome,reason,command\r\n../../x,fell,,surefoot run\r\n",
+        "row,outcome,reason,command\r\n1,fell,,surefoot run\r\n",
+        f"row,a,outcome,reason,command\r\n{'9' * 400},1,fell,,surefoot run\r\n",
+        "",
+        "row,a\r\n",
+        "row,seed,outcome,reason,command\r\n",
+        "row,outcome,reason,command\r\n0,fell\r\n",
+        "a\r\n\x00\r\n",
+    ],
 )
 def test_damaged_results_are_refused(tmp_path: Path, text: str) -> None:
     (tmp_path / "results.csv").write_text(text)
@@ -167,3 +182,13 @@ def test_arguments_that_do_not_go_together_are_refused(mapped: Path, short_run: 
     assert_refused(_report(short_run, "--runs", "all"), USAGE, "surefoot report")
 
 
+def test_a_figure_that_is_missing_is_none_and_not_nought(tmp_path: Path, new_page: Callable[[], Opened]) -> None:
+    rows = ["0,12345678,fell,,nan,surefoot run", "1,12345679,fell,,4.0,surefoot run", "2,12345679,fell,,nan,surefoot run"]
+    text = "\r\n".join(["row,seed,outcome,reason,first_detection_s,command", *rows, ""])
+    (tmp_path / "results.csv").write_text(text, newline="")
+    assert _report(tmp_path, "--runs", "none").returncode == 0
+    opened = new_page()
+    opened.open_file(tmp_path / "map.html")
+    opened.page.select_option("select[data-of=colour]", "first_detection_s")
+    assert opened.page.locator(".cell").all_inner_texts() == ["–", "4"]
+    assert "12345678" in opened.page.inner_text(".grid"), "whole numbers are not rounded"

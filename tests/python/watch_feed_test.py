@@ -31,6 +31,8 @@ class _Page:
     def tell(self, message: dict) -> None:
         self.told.append(message)
 
+    begin = tell
+
     def show(self, newest: dict[int, bytes]) -> None:
         self.shown.append(newest)
 
@@ -131,13 +133,61 @@ def test_the_verdict_comes_once_and_a_damaged_one_never(watched: _Watched, tmp_p
     assert [message["what"] for message in watched.page.told] == ["run", "verdict"]
 
 
-def test_a_run_that_begins_takes_the_page_and_an_old_one_never_again(watched: _Watched, tmp_path: Path) -> None:
+def _ends(run: Path) -> None:
+    (run / "verdict.json").write_text('{"verdict": "walked"}')
+
+
+def test_the_next_run_takes_the_page_and_an_old_one_never_again(watched: _Watched, tmp_path: Path) -> None:
+    first, second = _run(tmp_path / "a"), _run(tmp_path / "b")
+    watched.hears({"SUREFOOT_RUN": _announcement(first, 1)})
+    _ends(first)
+    for folder, started_ns in ((second, 2), (first, 1), (second, 2)):
+        watched.hears({"SUREFOOT_RUN": _announcement(folder, started_ns)}, events=(_event(1.0 * started_ns, "settled"),))
+    assert watched.page.runs() == [str(first), str(second)], "at once, though the scenario is the same"
+    told = [message["event"]["time_s"] for message in watched.page.told if message["what"] == "event"]
+    assert told == [2.0, 1.0, 2.0], "none is lost"
+
+
+def test_the_same_folder_again_is_another_run(watched: _Watched, tmp_path: Path) -> None:
+    run = _run(tmp_path / "a")
+    for started_ns in (1, 2):
+        watched.hears({"SUREFOOT_RUN": _announcement(run, started_ns)})
+    assert watched.page.runs() == [str(run), str(run)]
+
+
+def test_rows_heard_with_the_first_word_of_a_run_are_left_out(watched: _Watched, tmp_path: Path) -> None:
+    first, second = _run(tmp_path / "a"), _run(tmp_path / "b")
+    watched.hears({"SUREFOOT_RUN": _announcement(first, 1)})
+    _ends(first)
+    watched.hears({"SUREFOOT_RUN": _announcement(second, 2), "SUREFOOT_TRUTH": _truth(30.0, 0.1)})
+    assert watched.page.shown[-1] == {}
+    watched.hears({"SUREFOOT_TRUTH": _truth(-12.0, 0.1)})
+    assert len(watched.page.shown[-1]) == 1
+
+
+def test_two_runs_at_once_are_not_shown_by_turns_and_the_terminal_says_so(watched: _Watched, tmp_path: Path) -> None:
     first, second = _run(tmp_path / "a"), _run(tmp_path / "b", "duration_s = 4.0\n")
-    for folder, started_ns in ((first, 1), (second, 2), (first, 1), (second, 2)):
-        watched.hears({"SUREFOOT_RUN": _announcement(folder, started_ns)})
+    for _ in range(3):
+        watched.hears({"SUREFOOT_RUN": _announcement(first, 1)})
+        watched.hears({"SUREFOOT_RUN": _announcement(second, 2)})
+    assert watched.page.runs() == [str(first)]
+    assert len([line for line in watched.said if str(second) in line]) == 1
+    _ends(first)
+    watched.hears({"SUREFOOT_RUN": _announcement(second, 2)})
     assert watched.page.runs() == [str(first), str(second)]
-    watched.hears({"SUREFOOT_RUN": _announcement(first, 3)})
-    assert watched.page.runs()[-1] == str(first), "the same folder, another run"
+
+
+def test_a_run_after_a_killed_one_of_its_scenario_keeps_its_first_events(
+    watched: _Watched, tmp_path: Path, monkeypatch
+) -> None:
+    killed, next_one = _run(tmp_path / "a"), _run(tmp_path / "b")
+    watched.hears({"SUREFOOT_RUN": _announcement(killed, 1)})
+    watched.hears({"SUREFOOT_RUN": _announcement(next_one, 2)})
+    watched.hears(events=(_event(-9.0, "standing_done"),))
+    monkeypatch.setattr("tools.watch.feed._SILENT_S", -1.0)
+    watched.hears({"SUREFOOT_RUN": _announcement(next_one, 2)})
+    begun = watched.page.told[-1]["run"]
+    assert begun["name"] == str(next_one) and [event["name"] for event in begun["events"]] == ["standing_done"]
 
 
 def test_two_processes_with_one_scenario_are_one_run(watched: _Watched, tmp_path: Path) -> None:
@@ -145,7 +195,9 @@ def test_two_processes_with_one_scenario_are_one_run(watched: _Watched, tmp_path
     for _ in range(3):
         watched.hears({"SUREFOOT_RUN": _announcement(firmware, 1)})
         watched.hears({"SUREFOOT_RUN": _announcement(robot, 2)})
-    assert watched.page.runs() == [str(firmware)]
+    _ends(firmware)
+    watched.hears({"SUREFOOT_RUN": _announcement(robot, 2)})
+    assert watched.page.runs() == [str(firmware)], "the half that still speaks does not empty the page"
 
 
 def test_the_other_half_takes_over_when_one_is_silent(watched: _Watched, tmp_path: Path, monkeypatch) -> None:
@@ -154,6 +206,17 @@ def test_the_other_half_takes_over_when_one_is_silent(watched: _Watched, tmp_pat
     monkeypatch.setattr("tools.watch.feed._SILENT_S", -1.0)
     watched.hears({"SUREFOOT_RUN": _announcement(robot, 2)})
     assert watched.page.runs() == [str(firmware), str(robot)]
+
+
+def test_a_folder_that_cannot_be_looked_at_breaks_nothing(watched: _Watched) -> None:
+    watched.hears({"SUREFOOT_RUN": _announcement("/" + "x" * 300, 1)})
+    watched.hears({"SUREFOOT_TRUTH": _truth(1.0, 0.1)})
+    assert len(watched.page.shown[-1]) == 1
+
+
+def test_what_json_has_no_word_for_is_none(watched: _Watched, tmp_path: Path) -> None:
+    watched.hears({"SUREFOOT_RUN": _announcement(_run(tmp_path / "a", "[[fault]]\nfor_s = inf\n"), 1)})
+    assert watched.page.told[-1]["run"]["faults"] == [{"for_s": None}]
 
 
 def test_a_run_without_a_readable_scenario_is_told_or_shown_without_its_robot(watched: _Watched, tmp_path: Path) -> None:

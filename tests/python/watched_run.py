@@ -3,11 +3,14 @@
 Called by watch_test.py: FOLDER, then the arguments of `surefoot run` beyond --live and --out, once for each "--".
 """
 
+import http.client
 import json
 import os
 import subprocess
 import sys
+import time
 import urllib.error
+import urllib.parse
 import urllib.request
 from pathlib import Path
 
@@ -19,6 +22,14 @@ _PATIENCE_S = 60.0  # of a browser that draws on a busy processor
 
 def _walk(folder: Path, arguments: list[str]) -> None:
     subprocess.run([binary(), "run", *arguments, "--live", "--out", folder], check=False, stdout=subprocess.DEVNULL)
+
+
+def _wait_until_nothing_comes(opened: Opened) -> None:
+    """The verdict may overtake rows: all of them have come when none came for a second, and are drawn."""
+    received = -1
+    while received != (received := opened.page.evaluate("() => window.surefoot.received()")):
+        time.sleep(1.0)
+    opened.page.wait_for_function("() => window.surefoot.isSettled()")
 
 
 def _shown(opened: Opened) -> dict:
@@ -39,6 +50,17 @@ def _answer(address: str, host: str) -> int:
         return error.code
 
 
+def _upgrade(address: str, origin: str) -> int:
+    """Status of a WebSocket's opening from a page of another place, or of our own."""
+    place = urllib.parse.urlsplit(address)
+    connection = http.client.HTTPConnection(place.hostname, place.port, timeout=5)
+    key = {"Sec-WebSocket-Key": "dGhlIHNhbXBsZSBub25jZQ==", "Sec-WebSocket-Version": "13"}
+    connection.request("GET", "/feed", headers={"Upgrade": "websocket", "Connection": "Upgrade", "Origin": origin, **key})
+    status = connection.getresponse().status
+    connection.close()
+    return status
+
+
 def main() -> None:
     folder, *given = sys.argv[1:]
     walks = " ".join(given).split(" -- ")
@@ -49,6 +71,7 @@ def main() -> None:
     try:
         url = json.loads(server.stdout.readline())["url"]
         told = {"foreign_host": _answer(url, "example.org"), "own_host": _answer(url, "localhost")}
+        told |= {"foreign_origin": _upgrade(url, "http://example.org"), "own_origin": _upgrade(url, url.rstrip("/"))}
         with browser(may_ask=(url, url.replace("http", "ws"))) as new_page:
             opened = new_page()
             opened.open(url)
@@ -59,7 +82,7 @@ def main() -> None:
                 _walk(run, walk.split())
                 wait_until(lambda run=run: str(run) == opened.page.inner_text(".verdict .name"), _PATIENCE_S)
                 wait_until(lambda: opened.page.inner_text(".verdict b") != "live", _PATIENCE_S)
-                opened.page.wait_for_function("() => window.surefoot.isSettled()")
+                _wait_until_nothing_comes(opened)
                 told["walks"].append(_shown(opened))
             late = new_page()
             late.open(url)

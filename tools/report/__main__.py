@@ -9,6 +9,7 @@ from pathlib import Path
 from urllib.parse import quote
 
 from tools.arguments import Parser
+from tools.binary import MissingBinaryError, surefoot_binary
 from tools.plots.messages import MissingGeneratorError
 from tools.plots.read_run import RunFolderError
 from tools.report.blocks import Blocks
@@ -20,7 +21,6 @@ from tools.report.sweep_map import is_sweep, map_index, read_results
 from tools.viewer_bundle import ViewerError
 
 _BAD_INPUT, _MACHINE_LACKS, _INTERRUPTED = 65, 69, 130
-_BINARY = Path(__file__).resolve().parents[2] / "build" / "release" / "tools" / "surefoot"
 _FEW = 100  # rows that are recorded without being asked to
 
 
@@ -107,17 +107,17 @@ def _fail(code: int, message: object) -> int:
 def main(given: list[str]) -> int:
     """Returns the exit code."""
     arguments = _arguments(given)
-    binary = Path(os.environ.get("SUREFOOT_BINARY", _BINARY))
     file = arguments.out or _default_file(arguments)
     started_s = time.monotonic()
     try:
+        binary = surefoot_binary()
         content, more = (
             _map_page(arguments, binary, file) if is_sweep(arguments.run) else _runs_page(arguments, binary)
         )
         file.write_text(content)
     except RunFolderError as error:
         return _fail(_BAD_INPUT, error)
-    except (MissingGeneratorError, ViewerError) as error:
+    except (MissingBinaryError, MissingGeneratorError, ViewerError) as error:
         return _fail(_MACHINE_LACKS, error)
     except OSError as error:
         name = error.filename or file

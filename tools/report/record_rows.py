@@ -44,13 +44,14 @@ def record_rows(folder: Path, rows: list[dict], binary: Path, on_done: Callable[
 
 def _record(folder: Path, row: dict, binary: Path) -> None:
     out = report_of(folder, row["row"]).parent
-    _finish([str(binary), "run", *_run_arguments(folder, row), "--out", str(out)], _ENDED, row)
+    _finish([str(binary), "run", *_run_arguments(folder, row), "--out", str(out), "--overwrite"], _ENDED, row)
     verdict = read_verdict(out) or {}
-    if verdict.get("verdict") != row["outcome"]:
-        raise RunFolderError(
-            f"{out}: row {row['row']} ends with {verdict.get('verdict')}, in {RESULTS} with {row['outcome']}\n"
-            "  remedy: the program has changed since; run the sweep again"
-        )
+    for said, told in (("verdict", "outcome"), ("reason", "reason"), ("distance_m", "distance_m")):
+        if told in row and verdict.get(said) != row[told]:
+            raise RunFolderError(
+                f"{out}: row {row['row']} ends with {told} {verdict.get(said)}, in {RESULTS} with {row[told]}\n"
+                "  remedy: the program has changed since; run the sweep again, into another folder"
+            )
     report = [sys.executable, "-m", "tools.report", str(out), "--no-frames"]
     _finish(report, (0,), row, {**os.environ, "PYTHONPATH": str(_ROOT), "SUREFOOT_BINARY": str(binary)})
     for log in ("bus.log", "telemetry.lcmlog"):  # 35 MB a row, and its command brings them back to the last bit

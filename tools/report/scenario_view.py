@@ -1,6 +1,7 @@
 """What a page shows of a run beside its numbers: scenario, robot and floor, bus, verdict, faults in words."""
 
 import json
+import math
 import re
 import subprocess
 import tomllib
@@ -29,12 +30,14 @@ def _no_number(token: str) -> float:
 def read_verdict(folder: Path) -> dict | None:
     """verdict.json of a run that has ended; raises RunFolderError where it is damaged."""
     file = folder / "verdict.json"
-    if not file.is_file():
-        return None
     try:
         verdict = json.loads(file.read_text(), parse_constant=_no_number)
         if not isinstance(verdict, dict) or not isinstance(verdict.get("verdict"), str):
             raise ValueError("holds no verdict")
+    except FileNotFoundError:
+        return None
+    except OSError as error:
+        raise RunFolderError(f"{file}: {error.strerror}\n  remedy: run as the user whom it belongs to") from error
     except ValueError as error:
         raise RunFolderError(f"{file}: {error}\n  remedy: run the scenario again") from error
     return verdict
@@ -52,6 +55,11 @@ def _json_of(binary: Path, *arguments: object) -> dict | None:
     """What the program says of a scenario; nothing when it cannot read it (a run of another version)."""
     finished = subprocess.run([binary, *map(str, arguments)], capture_output=True, text=True, check=False)
     return json.loads(finished.stdout) if finished.returncode == 0 else None
+
+
+def _finite(fault: dict) -> dict:
+    """Values that are no number are none: JSON has no word for them."""
+    return {key: None if isinstance(value, float) and not math.isfinite(value) else value for key, value in fault.items()}
 
 
 def _extent(way_m: np.ndarray | None) -> list[str]:
@@ -76,7 +84,7 @@ def scenario_view(folder: Path, binary: Path, way_m: np.ndarray | None) -> dict:
     except ValueError as error:
         raise RunFolderError(f"{file}: {error}\n  remedy: run the scenario again") from error
     return {
-        "scenario_toml": text, "faults": scenario.get("fault", []),
+        "scenario_toml": text, "faults": [_finite(fault) for fault in scenario.get("fault", [])],
         "model": _json_of(binary, "model", file, "--json", *_extent(way_m)),
         "bus": _json_of(binary, "bus", file, "--json"),
     }  # fmt: skip

@@ -7,6 +7,7 @@ from pathlib import Path
 from tools.plots.read_run import RunFolderError
 
 RESULTS = "results.csv"
+_FIRST_LINE = 2  # of the file; rows count from 0
 _TEXTS = ("outcome", "reason", "command")
 
 
@@ -20,7 +21,7 @@ def _value(text: str) -> float | int | str | None:
     for read in (int, float):
         try:
             number = read(text)
-        except ValueError:
+        except (ValueError, OverflowError):
             continue
         return number if math.isfinite(number) else None
     return text
@@ -38,7 +39,7 @@ def read_results(folder: Path) -> tuple[list[str], list[dict]]:
             columns = list(reader.fieldnames or [])
             if columns[:1] != ["row"] or not set(_TEXTS) <= set(columns):
                 raise ValueError("has other columns than those of a sweep")
-            rows = [_row(line, number) for number, line in enumerate(reader, 2)]
+            rows = [_row(line, number) for number, line in enumerate(reader, _FIRST_LINE)]
         if not rows:
             raise ValueError("holds no row")
     except (ValueError, csv.Error) as error:
@@ -49,6 +50,9 @@ def read_results(folder: Path) -> tuple[list[str], list[dict]]:
 def _row(line: dict, number: int) -> dict:
     if None in line or None in line.values():
         raise ValueError(f"line {number} has not as many fields as the head")
+    # It names a folder below this one, so nothing but the row's own number may stand there.
+    if line["row"] != str(number - _FIRST_LINE):
+        raise ValueError(f"line {number} is row {line['row'][:20]!r} instead of {number - _FIRST_LINE}")
     return {name: text if name in _TEXTS else _value(text) for name, text in line.items()}
 
 
@@ -56,8 +60,8 @@ def map_index(title: str, keys: list[str], rows: list[dict], reports: dict[int, 
     """The page's index. `reports`: where the run of a row opens, as seen from the page."""
     figures = [
         name
-        for name, value in rows[0].items()
-        if name not in (*keys, *_TEXTS, "row") and isinstance(value, int | float)
+        for name in rows[0]
+        if name not in (*keys, *_TEXTS, "row") and any(isinstance(row[name], int | float) for row in rows)
     ]
     return {
         "format": 1, "mode": "map", "title": title, "keys": keys, "figures": figures,

@@ -3,9 +3,7 @@
 import argparse
 import asyncio
 import json
-import os
 import sys
-from pathlib import Path
 
 from tornado.httpserver import HTTPServer
 from tornado.ioloop import PeriodicCallback
@@ -13,6 +11,7 @@ from tornado.netutil import bind_sockets
 from tornado.web import Application, RequestHandler
 
 from tools.arguments import Parser
+from tools.binary import MissingBinaryError, surefoot_binary
 from tools.plots.messages import LIVE_URL, MissingGeneratorError
 from tools.report.blocks import Blocks
 from tools.report.page import page
@@ -23,7 +22,6 @@ from tools.watch.listener import Listener
 _PORT = 8642
 _PICTURES_HZ = 60
 _MACHINE_LACKS, _INTERRUPTED = 69, 130
-_BINARY = Path(__file__).resolve().parents[2] / "build" / "release" / "tools" / "surefoot"
 _OWN_NAMES = r"(127\.0\.0\.1|localhost)"  # a page of another name that resolves to this machine gets nothing
 
 
@@ -63,8 +61,7 @@ class _Front(RequestHandler):
 
 
 async def _serve(arguments: argparse.Namespace, listener: Listener, content: str) -> None:
-    binary = Path(os.environ.get("SUREFOOT_BINARY", _BINARY))
-    feed = Feed(listener, binary, lambda line: print(line, file=sys.stderr, flush=True))
+    feed = Feed(listener, surefoot_binary(), lambda line: print(line, file=sys.stderr, flush=True))
     application = Application()
     application.add_handlers(_OWN_NAMES, [("/", _Front, {"content": content}), ("/feed", Page, {"feed": feed})])
     sockets = bind_sockets(arguments.port, "127.0.0.1")
@@ -84,10 +81,11 @@ def main(given: list[str]) -> int:
     """Returns the exit code."""
     arguments = _arguments(given)
     try:
+        surefoot_binary()
         content = page("Surefoot: watch", {"format": 1, "mode": "watch"}, Blocks())
         listener = Listener(arguments.url)
         asyncio.run(_serve(arguments, listener, content))
-    except (MissingGeneratorError, ViewerError) as error:
+    except (MissingBinaryError, MissingGeneratorError, ViewerError) as error:
         return _fail(error)
     except RuntimeError as error:
         return _fail(f"watch: {error}\n  remedy: see tools/surefoot doctor, section multicast")

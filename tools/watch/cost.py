@@ -21,9 +21,9 @@ from pathlib import Path
 from tornado.websocket import websocket_connect
 
 from tools.arguments import Parser
+from tools.binary import surefoot_binary
 
 _ROOT = Path(__file__).resolve().parents[2]
-_BINARY = Path(os.environ.get("SUREFOOT_BINARY", _ROOT / "build" / "release" / "tools" / "surefoot"))
 _OF_THE_LOOP = {min(os.sched_getaffinity(0))}
 _OF_THE_PAGES = os.sched_getaffinity(0) - _OF_THE_LOOP or _OF_THE_LOOP
 _THREADS_BEGIN_S = 0.3
@@ -78,7 +78,7 @@ def _walk(kind: str, folder: Path, given: list[str]) -> dict:
         if kind in (_PAGE, _BROWSES):
             url = running.enter_context(_server())
             running.enter_context(_reader(url) if kind == _PAGE else _browser(url))
-        walk = [str(_BINARY), "run", *given, "--live", "--out", str(folder), "--overwrite"]
+        walk = [str(surefoot_binary()), "run", *given, "--live", "--out", str(folder), "--overwrite"]
         with subprocess.Popen(walk, stdout=subprocess.DEVNULL) as running_walk:
             # The thread that began is the loop; the recorder stays where the pages are. As on a robot, the loop has a
             # processor that nothing else uses (surefoot doctor).

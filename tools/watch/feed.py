@@ -2,6 +2,8 @@
 
 import json
 import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from tornado.websocket import WebSocketClosedError, WebSocketHandler
@@ -9,7 +11,7 @@ from tornado.websocket import WebSocketClosedError, WebSocketHandler
 from tools.plots.read_run import RunFolderError
 from tools.report.scenario_view import scenario_text
 from tools.watch.listener import Heard, Listener
-from tools.watch.live_run import Announcement, LiveRun, rows
+from tools.watch.live_run import MOST_EVENTS, Announcement, LiveRun, rows
 
 _SILENT_S = 2.5  # announcements come every second
 _VERDICT_EVERY_S = 0.3
@@ -36,6 +38,11 @@ class Page(WebSocketHandler):
     def tell(self, message: dict) -> None:
         self._send(json.dumps(message, allow_nan=False), is_binary=False)
 
+    def begin(self, message: dict) -> None:
+        """A run; rows of the one before that still wait are forgotten."""
+        self._waiting.clear()
+        self.tell(message)
+
     def show(self, newest: dict[int, bytes]) -> None:
         """Rows by their table; while the page has not taken the last ones, newer ones replace those that wait."""
         self._waiting.update(newest)
@@ -52,32 +59,47 @@ class Page(WebSocketHandler):
             return None
 
 
-class Feed:
-    """Passes on what a listener hears. `say` gets a line a run, for the terminal."""
+@dataclass
+class _Other:
+    """A run that goes on beside the one shown."""
 
-    def __init__(self, listener: Listener, binary: Path, say) -> None:
+    is_half: bool  # firmware and robot in two processes announce a folder each, with one scenario
+    events: list[bytes] = field(default_factory=list)  # since the run shown was last heard of: no longer its own
+
+
+class Feed:
+    """Passes on what a listener hears. `say` gets a line a run, for the terminal.
+
+    Messages do not say which run they are of, so the page stays with one until it has ended or fallen silent.
+    """
+
+    def __init__(self, listener: Listener, binary: Path, say: Callable[[str], None]) -> None:
         self._listener = listener
         self._binary = binary
         self._say = say
         self._run: LiveRun | None = None
         self._shown: set[Announcement] = set()
+        self._others: dict[Announcement, _Other] = {}
         self._verdict_asked_s = 0.0
         self.pages: set[Page] = set()
 
     def add(self, page: Page) -> None:
         self.pages.add(page)
         if self._run is not None:
-            page.tell(self._run.message())
+            page.begin(self._run.message())
 
     def step(self) -> None:
         """Once a picture."""
         heard = self._listener.take()
-        announced = heard.newest.get("SUREFOOT_RUN")
-        if announced is not None and (announcement := Announcement.of(announced)) is not None:
-            self._hear_of(announcement)
+        before = self._run
+        if (encoded := heard.newest.get("SUREFOOT_RUN")) is not None and (announced := Announcement.of(encoded)):
+            self._hear_of(announced)
+        for other in self._others.values():
+            other.events.extend(heard.events[: MOST_EVENTS - len(other.events)])
         if self._run is None:
             return
-        self._pass_on(heard)
+        # Rows that came together with the first word of a run may be of the one before.
+        self._pass_on(heard if self._run is before else Heard(events=heard.events))
         self._ask_for_verdict()
 
     def _pass_on(self, heard: Heard) -> None:
@@ -89,29 +111,48 @@ class Feed:
                 page.show(newest)
 
     def _hear_of(self, announced: Announcement) -> None:
-        """A run that nobody has heard of takes the page, unless it is the other half of one in two processes."""
-        now_s = time.monotonic()
         if self._run is not None and announced == self._run.announced:
-            self._run.heard_at_s = now_s
-        elif announced not in self._shown and not self._is_other_half(announced, now_s):
-            self._begin(LiveRun(announced, self._binary))
+            self._run.heard_at_s = time.monotonic()
+            for other in self._others.values():
+                other.events.clear()
+        elif announced not in self._shown:
+            if self._may_begin(announced):
+                self._begin(announced)
+            elif announced not in self._others:
+                self._others[announced] = self._judged(announced)
 
-    def _is_other_half(self, announced: Announcement, now_s: float) -> bool:
-        """Firmware and robot in two processes announce a folder each, with one scenario."""
-        if self._run is None or self._run.verdict is not None or now_s - self._run.heard_at_s > _SILENT_S:
-            return False
-        return scenario_text(announced.folder) == self._run.described["scenario_toml"]
+    def _may_begin(self, announced: Announcement) -> bool:
+        if self._run is None or announced.folder == self._run.announced.folder:
+            return True
+        self._tell(self._run.verdict_message())
+        if self._run.verdict is not None:
+            return announced not in self._others or not self._others[announced].is_half
+        return time.monotonic() - self._run.heard_at_s > _SILENT_S
 
-    def _begin(self, run: LiveRun) -> None:
-        self._shown.add(run.announced)
+    def _judged(self, announced: Announcement) -> _Other:
+        is_half = scenario_text(announced.folder) == self._run.described["scenario_toml"]
+        if not is_half:
+            self._say(
+                f"watch: {announced.folder} is going on beside {self._run.announced.folder}: their values cannot be told\n"
+                "  apart, and the page shows both as one; end one of them"
+            )
+        return _Other(is_half)
+
+    def _begin(self, announced: Announcement) -> None:
+        self._shown.add(announced)
+        run = LiveRun(announced, self._binary)
+        other = self._others.pop(announced, _Other(is_half=False))
         try:
-            message = run.message()
+            described = run.described
         except RunFolderError as error:
             self._say(str(error))
             return
+        for encoded in other.events:
+            run.add_event(encoded)
         self._run = run
-        self._say(f"watch: {run.announced.folder}")
-        self._tell(message)
+        self._say(f"watch: {described['name']}")
+        for page in set(self.pages):
+            page.begin(run.message())
 
     def _ask_for_verdict(self) -> None:
         now_s = time.monotonic()

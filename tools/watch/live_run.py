@@ -22,7 +22,7 @@ _TYPES = {
     "SUREFOOT_TIMING": "timing_statistics_t",
 }
 _CHANNELS = list(TABLES)
-_MOST_EVENTS = 1000
+MOST_EVENTS = 1000
 
 
 def _decoded(name: str, encoded: bytes) -> object | None:
@@ -79,7 +79,7 @@ class LiveRun:
     def add_event(self, encoded: bytes) -> dict | None:
         """The message for the page; nothing beyond the first thousand, and of what is no event."""
         message = _decoded("event_t", encoded)
-        if message is None or len(self.events) >= _MOST_EVENTS:
+        if message is None or len(self.events) >= MOST_EVENTS:
             return None
         told = event(message.utime, message.code, message.name, message.value)
         self.events.append(told)

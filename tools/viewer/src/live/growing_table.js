@@ -1,4 +1,5 @@
-const MOST_ROWS = 8192; // two minutes at 60 a second
+const MOST_ROWS = 16384; // two minutes at 60 a second are left when half of them is forgotten
+const CLOCK_BACK_S = 1; // more than messages ever overtake one another
 
 /** A table that grows by a row at a time and forgets its oldest half when it is full. The interface of data/run.js. */
 export class GrowingTable {
@@ -30,8 +31,12 @@ export class GrowingTable {
     return this.described.get(name).label;
   }
 
-  /** @param {Float64Array} row  time, then a value a column. Rows that are no later than the last are left out. */
+  /**
+   * Rows that are no later than the last are left out; a clock that is set back (firmware that powers up anew) begins anew.
+   * @param {Float64Array} row  time, then a value a column
+   */
   append(row) {
+    if (this.rows > 0 && row[0] < this.times[this.rows - 1] - CLOCK_BACK_S) this.rows = 0;
     if (this.rows > 0 && row[0] <= this.times[this.rows - 1]) return;
     if (this.rows === MOST_ROWS) this.forget(MOST_ROWS / 2);
     this.times[this.rows] = row[0];

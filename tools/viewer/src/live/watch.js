@@ -36,13 +36,20 @@ class WatchPage {
     let done = Promise.resolve();
     socket.addEventListener("open", () => (this.isOpen = true));
     socket.addEventListener("message", ({ data }) => {
-      done = done.then(() => (typeof data === "string" ? this.hear(JSON.parse(data)) : this.append(data)));
+      done = done.then(() => (typeof data === "string" ? this.hear(JSON.parse(data)) : this.append(data))).catch((error) => this.fail(error));
     });
     socket.addEventListener("close", () => {
       this.isOpen = false;
       this.note.textContent = "Connection lost: is tools/surefoot watch still running?";
       setTimeout(() => this.connect(), AGAIN_MS);
     });
+  }
+
+  /** What went wrong is said; the next run has its chance. */
+  fail(error) {
+    console.error(error);
+    this.note.textContent = `This run cannot be shown: ${error.message}`;
+    this.app.prepend(this.note);
   }
 
   async hear(message) {
@@ -67,6 +74,7 @@ class WatchPage {
     this.isDrawing = true;
     requestAnimationFrame(() => {
       this.isDrawing = false;
+      if (!this.run.received) return; // the next run has begun meanwhile
       this.drawn++;
       this.axis.grow(this.run.from_s, this.run.to_s);
     });

@@ -23,9 +23,10 @@ export function places(values) {
   };
 }
 
-/** A value for people: six digits. */
+/** A value for people: whole numbers as they are, others with six digits. */
 export function text(value) {
-  if (value === null) return "–";
+  if (value === null || Number.isNaN(value)) return "–";
+  if (Number.isInteger(value)) return String(value);
   return typeof value === "number" ? String(Number(value.toPrecision(6))) : value;
 }
 

@@ -33,7 +33,7 @@ function choicesOf({ keys, figures, rows }) {
   const x = select("along", named, keys[0]);
   const y = select("down", [...named, ["nothing", ""]], keys[1] ?? "");
   const colour = select("colour", [[OUTCOME, OUTCOME], ...figures.map((name) => [name, name])], OUTCOME);
-  const others = keys.map((key) => [key, select(key, [["all", ""], ...[...new Set(rows.map((row) => row[key]))].slice(0, 200).map((value) => [text(value), text(value)])], "")]);
+  const others = keys.map((key) => [key, select(key, [["all", ""], ...[...new Set(rows.map((row) => row[key]))].slice(0, 200).map((value) => [text(value), JSON.stringify(value)])], "")]);
   const hideChosen = () => {
     for (const [key, one] of others) one.parentElement.hidden = key === x.value || key === y.value;
   };
@@ -44,7 +44,7 @@ function choicesOf({ keys, figures, rows }) {
     get x() { return x.value; },
     get y() { return y.value === x.value ? null : y.value || null; },
     get colour() { return colour.value; },
-    rows: () => rows.filter((row) => others.every(([key, one]) => one.parentElement.hidden || !one.value || text(row[key]) === one.value)),
+    rows: () => rows.filter((row) => others.every(([key, one]) => one.parentElement.hidden || !one.value || JSON.stringify(row[key]) === one.value)),
   };
 }
 
@@ -79,7 +79,12 @@ function cell(rows, colour, [least, largest], details) {
   return button;
 }
 
-const mean = (rows, name) => rows.reduce((sum, row) => sum + row[name], 0) / rows.length;
+/** Of the rows that have the figure; NaN where none has. */
+function mean(rows, name) {
+  const values = rows.map((row) => row[name]).filter(Number.isFinite);
+  return values.reduce((sum, value) => sum + value, 0) / values.length;
+}
+
 const walkedOf = (rows) => rows.filter((row) => row.outcome === "walked").length;
 
 function caption(rows, colour) {

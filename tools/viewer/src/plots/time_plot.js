@@ -65,6 +65,7 @@ export class TimePlot {
       if (this.isSeen) this.show("range");
     });
     this.seen.observe(this.element);
+    this.axis.closed.addEventListener("abort", () => this.close());
     this.redraw();
     this.showInstant();
   }
