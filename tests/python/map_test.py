@@ -184,11 +184,12 @@ def test_arguments_that_do_not_go_together_are_refused(mapped: Path, short_run: 
 
 def test_a_figure_that_is_missing_is_none_and_not_nought(tmp_path: Path, new_page: Callable[[], Opened]) -> None:
     rows = ["0,12345678,fell,,nan,surefoot run", "1,12345679,fell,,4.0,surefoot run", "2,12345679,fell,,nan,surefoot run"]
+    rows.append(f"3,{'9' * 400},fell,,,surefoot run")
     text = "\r\n".join(["row,seed,outcome,reason,first_detection_s,command", *rows, ""])
     (tmp_path / "results.csv").write_text(text, newline="")
     assert _report(tmp_path, "--runs", "none").returncode == 0
     opened = new_page()
     opened.open_file(tmp_path / "map.html")
     opened.page.select_option("select[data-of=colour]", "first_detection_s")
-    assert opened.page.locator(".cell").all_inner_texts() == ["–", "4"]
+    assert opened.page.locator(".cell").all_inner_texts() == ["–", "4", "–"]
     assert "12345678" in opened.page.inner_text(".grid"), "whole numbers are not rounded"

@@ -249,12 +249,23 @@ def test_markup_in_a_scenario_stays_text(short_run: Path, tmp_path: Path, new_pa
     assert "<b>bold" in opened.page.inner_text(".verdict .name")
 
 
-@pytest.mark.parametrize("text", ["[]", "{", '{"verdict": 3}', '{"verdict": "walked", "distance_m": NaN}'])
+_WALKED = '{"verdict": "walked", "distance_m": '
+
+
+@pytest.mark.parametrize("text", ["[]", "{", "[" * 99999, '{"verdict": 3}', _WALKED + "NaN}", _WALKED + "1e999}"])
 def test_a_damaged_verdict_is_refused(short_run: Path, tmp_path: Path, text: str) -> None:
     run = tmp_path / "run"
     shutil.copytree(short_run, run)
     (run / "verdict.json").write_text(text)
     assert_refused(_report(run), BAD_INPUT, run / "verdict.json")
+
+
+@pytest.mark.parametrize("text", ["fault = 3", "fault = [1]", "duration_s = = 3"])
+def test_a_damaged_scenario_is_refused(short_run: Path, tmp_path: Path, text: str) -> None:
+    run = tmp_path / "run"
+    shutil.copytree(short_run, run)
+    (run / "scenario.toml").write_text(text)
+    assert_refused(_report(run), BAD_INPUT, run / "scenario.toml")
 
 
 def test_what_cannot_be_shown_says_why(short_run: Path, tmp_path: Path) -> None:

@@ -124,8 +124,9 @@ def test_the_verdict_comes_once_and_a_damaged_one_never(watched: _Watched, tmp_p
     monkeypatch.setattr("tools.watch.feed._VERDICT_EVERY_S", 0.0)
     run = _run(tmp_path / "run")
     watched.hears({"SUREFOOT_RUN": _announcement(run, 1)})
-    (run / "verdict.json").write_text("[")
-    watched.hears()
+    for damaged in ("[", "[" * 99999, '{"verdict": "walked", "distance_m": 1e999}'):
+        (run / "verdict.json").write_text(damaged)
+        watched.hears()
     assert all(message["what"] == "run" for message in watched.page.told)
     (run / "verdict.json").write_text('{"verdict": "walked"}')
     watched.hears()
@@ -215,8 +216,9 @@ def test_a_folder_that_cannot_be_looked_at_breaks_nothing(watched: _Watched) -> 
 
 
 def test_what_json_has_no_word_for_is_none(watched: _Watched, tmp_path: Path) -> None:
-    watched.hears({"SUREFOOT_RUN": _announcement(_run(tmp_path / "a", "[[fault]]\nfor_s = inf\n"), 1)})
-    assert watched.page.told[-1]["run"]["faults"] == [{"for_s": None}]
+    faults = "[[fault]]\nfor_s = inf\nat = 2026-01-31\nkind = 'x'\n"
+    watched.hears({"SUREFOOT_RUN": _announcement(_run(tmp_path / "a", faults), 1)})
+    assert watched.page.told[-1]["run"]["faults"] == [{"for_s": None, "at": "2026-01-31", "kind": "x"}]
 
 
 def test_a_run_without_a_readable_scenario_is_told_or_shown_without_its_robot(watched: _Watched, tmp_path: Path) -> None:

@@ -23,22 +23,24 @@ def fault_help() -> dict[str, dict]:
     return {number: {"name": name, "text": text.strip()} for number, name, text in sections}
 
 
-def _no_number(token: str) -> float:
-    raise ValueError(f"{token} is no number of JSON")
+def _number(token: str) -> float:
+    if not math.isfinite(number := float(token)):
+        raise ValueError(f"{token} is no number of JSON")
+    return number
 
 
 def read_verdict(folder: Path) -> dict | None:
     """verdict.json of a run that has ended; raises RunFolderError where it is damaged."""
     file = folder / "verdict.json"
     try:
-        verdict = json.loads(file.read_text(), parse_constant=_no_number)
+        verdict = json.loads(file.read_text(), parse_constant=_number, parse_float=_number)
         if not isinstance(verdict, dict) or not isinstance(verdict.get("verdict"), str):
             raise ValueError("holds no verdict")
     except FileNotFoundError:
         return None
     except OSError as error:
         raise RunFolderError(f"{file}: {error.strerror}\n  remedy: run as the user whom it belongs to") from error
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise RunFolderError(f"{file}: {error}\n  remedy: run the scenario again") from error
     return verdict
 
@@ -57,9 +59,18 @@ def _json_of(binary: Path, *arguments: object) -> dict | None:
     return json.loads(finished.stdout) if finished.returncode == 0 else None
 
 
-def _finite(fault: dict) -> dict:
-    """Values that are no number are none: JSON has no word for them."""
-    return {key: None if isinstance(value, float) and not math.isfinite(value) else value for key, value in fault.items()}
+def _faults(scenario: dict) -> list[dict]:
+    """Those of the scenario, for JSON: it has no word for inf, nor for TOML's dates."""
+    faults = scenario.get("fault", [])
+    if not isinstance(faults, list) or not all(isinstance(fault, dict) for fault in faults):
+        raise ValueError("fault: is no list of tables")
+    return [{key: _value(value) for key, value in fault.items()} for fault in faults]
+
+
+def _value(value: object) -> float | int | str | None:
+    if isinstance(value, float):
+        return value if math.isfinite(value) else None
+    return value if isinstance(value, int) else str(value)
 
 
 def _extent(way_m: np.ndarray | None) -> list[str]:
@@ -80,11 +91,11 @@ def scenario_view(folder: Path, binary: Path, way_m: np.ndarray | None) -> dict:
         return {"scenario_toml": "", "faults": [], "model": None, "bus": None}
     file = folder / "scenario.toml"
     try:
-        scenario = tomllib.loads(text)
-    except ValueError as error:
+        faults = _faults(tomllib.loads(text))
+    except (ValueError, RecursionError) as error:
         raise RunFolderError(f"{file}: {error}\n  remedy: run the scenario again") from error
     return {
-        "scenario_toml": text, "faults": [_finite(fault) for fault in scenario.get("fault", [])],
+        "scenario_toml": text, "faults": faults,
         "model": _json_of(binary, "model", file, "--json", *_extent(way_m)),
         "bus": _json_of(binary, "bus", file, "--json"),
     }  # fmt: skip

@@ -21,9 +21,9 @@ def _value(text: str) -> float | int | str | None:
     for read in (int, float):
         try:
             number = read(text)
+            return number if math.isfinite(number) else None
         except (ValueError, OverflowError):
             continue
-        return number if math.isfinite(number) else None
     return text
 
 
