@@ -89,3 +89,12 @@ def test_every_header_is_guarded_by_pragma_once():
         if path.suffix == ".hpp" and "#pragma once" not in (ROOT / path).read_text()
     ]  # fmt: skip
     assert not unguarded
+
+
+def test_every_test_includes_what_its_build_has_precompiled():
+    broken = [
+        str(path)
+        for path in _sources("tests")
+        if path.name.endswith("_test.cpp") and "TEST" in (text := (ROOT / path).read_text()) and "#include <g" not in text
+    ]
+    assert not broken
